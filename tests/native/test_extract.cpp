@@ -196,6 +196,38 @@ TEST(Extract, IsTheSameWithOneThreadAndMany) {
     expect_same_bits(one.line_set, many.line_set);
 }
 
+TEST(Extract, WhatIsTooShortForASampleIsLeftOutBeforeItTakesMemory) {
+    // Boxes, smooth and flat, from some that fill the frame, partly outside and before the near plane, to far away.
+    std::vector<Placement> placements;
+    const auto box_surface = box().surface(), ball = sphere(12).surface();
+    for (int i = 0; i < 400; ++i) {
+        const double away = 0.3 * std::pow(1.03, i);
+        placements.push_back({i % 3 ? box_surface : ball,
+                              moved({0.4 * away * std::sin(i), away, 0.3 * away * std::cos(3 * i)}) *
+                                  scaled(dvec3(0.1 + 0.02 * (i % 7), 0.2, 0.15)),
+                              std::uint64_t(i)});
+    }
+    const Scene scene(placements);
+    const std::vector<LineSet> sets{line_set({"contour", "smooth_contour", "border"}), line_set({"crease"}, 30)};
+    for (const bool ortho : {false, true}) {
+        const View view = ortho ? orthographic({0, 0, 0}, {0, 1, 0}, 60) : perspective({0, 0, 0}, {0, 1, 0});
+        const Tracer tracer(scene, view);
+        const ProjectOptions options{.sample_step_px = 2.5};
+        const Paths all = extract_paths(scene, view, sets, tracer, Cancel());
+        const Paths fewer = extract_paths(scene, view, sets, tracer, Cancel(), {}, options.sample_step_px);
+        EXPECT_LT(fewer.count(), all.count() * 9 / 10);
+        const ClippedPaths of_all = project::project(all, scene, view, options, Cancel());
+        const ClippedPaths of_fewer = project::project(fewer, scene, view, options, Cancel());
+        ASSERT_GT(of_all.path.size(), 200u);
+        expect_same_bits(of_all.pieces.offsets, of_fewer.pieces.offsets);
+        expect_same_bits(of_all.px, of_fewer.px);
+        expect_same_bits(of_all.arc_px, of_fewer.arc_px);
+        expect_same_bits(of_all.position_view, of_fewer.position_view);
+        for (std::size_t i = 0; i < of_all.path.size(); ++i)
+            ASSERT_EQ(all.id[of_all.path[i]], fewer.id[of_fewer.path[i]]);
+    }
+}
+
 TEST(Extract, CanBeCancelled) {
     const Scene scene({place(box())});
     const Tracer tracer(scene, corner_view);

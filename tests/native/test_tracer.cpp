@@ -77,6 +77,33 @@ TEST(Tracer, OccluderIsTheNearestThatHides) {
     }
 }
 
+TEST(Tracer, ContinuesBehindIsWhetherTheNearestSurfaceBehindIsOfTheSameOutline) {
+    std::vector<Placement> placements;
+    const auto surface = sphere(16).surface();
+    for (int i = 0; i < 40; ++i) {
+        const dvec3 middle(2 * std::sin(3.1 * i), 2 * std::cos(1.7 * i), -8 + 3 * std::sin(2.3 * i));
+        placements.push_back({surface, moved(middle), std::uint64_t(i + 1)});
+        if (i % 4 == 0) placements.back().group = 1 + i % 3;
+        if (i % 11 == 0) placements.back().usage = usage_draw;
+    }
+    const Scene scene(placements);
+    for (const bool ortho : {false, true}) {
+        const View view = ortho ? orthographic({0, 0, 0}, {0, 0, -1}, 9) : perspective({0, 0, 0}, {0, 0, -1}, 36);
+        const Tracer tracer(scene, view);
+        int yes = 0, no = 0;
+        for (Index own = 0; own < scene.placements.size(); ++own)
+            for (int k = 0; k < 60; ++k) {
+                const dvec3 point(2.5 * std::sin(1.3 * k), 2.5 * std::cos(2.9 * k), -4 - k % 9);
+                const auto behind = tracer.behind(in_view(view, point), nothing);
+                const bool expected = behind && scene.share_outline(behind->placement, own);
+                ASSERT_EQ(tracer.continues_behind(in_view(view, point), nothing, own), expected) << own << " " << k;
+                ++(expected ? yes : no);
+            }
+        EXPECT_GT(yes, 20);
+        EXPECT_GT(no, 1000);
+    }
+}
+
 TEST(Tracer, IgnoredFacetsLetTheRayThrough) {
     const Scene scene({place(grid(2), moved({0, 0, -3})), place(grid(2), moved({0, 0, -3.5}), 2)});
     const View view = perspective({0, 0, 0}, {0, 0, -1}, 36);

@@ -62,13 +62,14 @@ void Frame::stage(const char* name, double share, const std::function<void()>& b
 void Frame::find() {
     if (has(Step::find)) return;
     stage("bvh", 0.2, [&] { rays(); });
+    const double step_px = std::max(job.options.sample_step * scale(), least_sample_step_px);
     stage("lines", 0.1, [&] {
         const std::vector<LineSet> sets = line_sets_of(job.style, job.overrides);
-        paths =
-            std::make_shared<Paths>(extract_paths(*job.scene, job.view, sets, *tracer, cancel(), job.overrides.lines));
+        paths = std::make_shared<Paths>(
+            extract_paths(*job.scene, job.view, sets, *tracer, cancel(), job.overrides.lines, step_px));
     });
     stage("project", 0.15, [&] {
-        ProjectOptions options{.sample_step_px = std::max(job.options.sample_step * scale(), least_sample_step_px)};
+        ProjectOptions options{.sample_step_px = step_px};
         for (const auto& set : job.style.line_sets) options.least_length_px.push_back(set.least_length * scale());
         clipped = std::make_shared<ClippedPaths>(project::project(*paths, *job.scene, job.view, options, cancel()));
     });

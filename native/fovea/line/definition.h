@@ -39,8 +39,7 @@ struct SurfaceView {
     vec3 to_viewer(Index vertex) const { return to_viewer(surface.positions[vertex]); }
     /// Whether the nearest surface behind a view-space point is of a placement with another outline, or there is none.
     bool ends_at(const vec3& point, const Ignore& ignore) const {
-        const auto behind = tracer->behind(point, ignore);
-        return !behind || !tracer->scene().share_outline(behind->placement, placement);
+        return !tracer->continues_behind(point, ignore, placement);
     }
 };
 

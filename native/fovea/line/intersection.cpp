@@ -11,9 +11,13 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <mutex>
+#include <optional>
 #include <set>
+#include <unordered_map>
+#include <unordered_set>
 
 #include <fovea/base/hash.h>
 #include <fovea/line/definition.h>
@@ -103,17 +107,20 @@ bool relate(const Scene& scene, Pair& pair) {
 /// Pairs of placements (indices into the scene) whose world-space bounding boxes overlap, but for those of which both
 /// are in a heap; ascending. Placements without triangles are omitted.
 Array<std::pair<Index, Index>> overlapping_placements(const Scene& scene, In<Index> placements) {
-    Array<Box> boxes;
-    Array<Index> of;  // per box, its placement
-    for (const Index i : placements) {
+    const auto box_of = [&](Index i) -> std::optional<Box> {
         const Placement& placement = scene.placements[i];
         const auto tree = triangle_tree(*placement.surface);
-        if (tree->empty()) continue;
+        if (tree->empty()) return {};
         const Box box = tree->bounds.mapped(Affine(placement.object_to_world));
-        if (!box.meets(box)) continue;  // NaN
-        boxes.push_back(box);
-        of.push_back(i);
-    }
+        return box.meets(box) ? std::optional(box) : std::nullopt;  // not if it is NaN
+    };
+    const auto bounded = parallel_collect<std::pair<Box, Index>>(
+        placements.size(), 4096, [&](std::size_t begin, std::size_t end, auto& out) {
+            for (const Index i : placements.subspan(begin, end - begin))
+                if (const auto box = box_of(i)) out.emplace_back(*box, i);
+        });
+    const auto boxes = parallel_map<Box>(bounded.size(), [&](std::size_t i) { return bounded[i].first; });
+    const auto of = parallel_map<Index>(bounded.size(), [&](std::size_t i) { return bounded[i].second; });
     const BoxTree tree(boxes);
     const auto heaped = parallel_map<std::uint8_t>(boxes.size(), [&](std::size_t i) {
         const Surface* const own = scene.placements[of[i]].surface.get();
@@ -138,10 +145,14 @@ Array<std::pair<Index, Index>> overlapping_placements(const Scene& scene, In<Ind
     return pairs;
 }
 
+/// Pairs of one placement of each surface with itself, and then, if wanted, of those that overlap.
 std::vector<Pair> pairs_of(const Scene& scene, In<Index> drawn, const Intersection& values) {
     std::vector<Pair> pairs;
+    std::unordered_set<const Surface*> surfaces;
     if (values.within)
-        for (const Index placement : drawn) pairs.push_back({placement, placement});
+        for (const Index placement : drawn)
+            if (surfaces.insert(scene.placements[placement].surface.get()).second)
+                pairs.push_back({placement, placement});
     if (!values.between) return pairs;
     for (const auto& [i, j] : overlapping_placements(scene, drawn)) {
         Pair pair{i, j};
@@ -171,19 +182,20 @@ std::shared_ptr<const KeptCurves> find_pair(const Scene& scene, const Pair& pair
     return curves;
 }
 
-std::vector<SceneCurves> find(const Scene& scene, In<Index> drawn, const Intersection& values, const Cancel& cancel) {
+/// Results for pairs, of which those that are equal are computed once and kept.
+std::vector<std::shared_ptr<const KeptCurves>> find_pairs(const Scene& scene, const std::vector<Pair>& pairs,
+                                                          const Cancel& cancel) {
     static std::atomic<std::uint64_t> frames{0};
     const std::uint64_t frame = ++frames;
-    const std::vector<Pair> pairs = pairs_of(scene, drawn, values);
     std::vector<std::shared_ptr<KeptPairs>> stores(pairs.size());
-    std::vector<SceneCurves> found(pairs.size());
+    std::vector<std::shared_ptr<const KeptCurves>> found(pairs.size());
     // For each missing result, the first pair that needs it.
     std::map<std::pair<const void*, std::uint64_t>, std::size_t> missing;
     for (std::size_t i = 0; i < pairs.size(); ++i) {
         const Surface& surface = *scene.placements[pairs[i].first].surface;
         stores[i] = *surface.cache().get<std::shared_ptr<KeptPairs>>(0, [] { return std::make_shared<KeptPairs>(); });
-        found[i] = {pairs[i].first, pairs[i].second, stores[i]->find(pairs[i].key, frame)};
-        if (!found[i].curves) missing.try_emplace({stores[i].get(), pairs[i].key}, i);
+        found[i] = stores[i]->find(pairs[i].key, frame);
+        if (!found[i]) missing.try_emplace({stores[i].get(), pairs[i].key}, i);
     }
     std::vector<std::size_t> jobs;
     for (const auto& [key, i] : missing) jobs.push_back(i);
@@ -193,7 +205,28 @@ std::vector<SceneCurves> find(const Scene& scene, In<Index> drawn, const Interse
     });
     for (const auto& store : std::set(stores.begin(), stores.end())) store->forget(frame);
     for (std::size_t i = 0; i < pairs.size(); ++i)
-        if (!found[i].curves) found[i].curves = stores[i]->find(pairs[i].key, frame);
+        if (!found[i]) found[i] = stores[i]->find(pairs[i].key, frame);
+    return found;
+}
+
+std::vector<SceneCurves> find(const Scene& scene, In<Index> drawn, const Intersection& values, const Cancel& cancel) {
+    const std::vector<Pair> pairs = pairs_of(scene, drawn, values);
+    const auto curves = find_pairs(scene, pairs, cancel);
+    std::unordered_map<const Surface*, std::shared_ptr<const KeptCurves>> within;
+    std::vector<SceneCurves> between;
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+        const auto [first, second] = std::pair(pairs[i].first, pairs[i].second);
+        if (first != second)
+            between.push_back({first, second, curves[i]});
+        else if (!curves[i]->pieces.empty())
+            within.emplace(scene.placements[first].surface.get(), curves[i]);
+    }
+    std::vector<SceneCurves> found;
+    if (!within.empty())
+        for (const Index i : drawn)
+            if (const auto own = within.find(scene.placements[i].surface.get()); own != within.end())
+                found.push_back({i, i, own->second});
+    std::ranges::move(between, std::back_inserter(found));
     return found;
 }
 

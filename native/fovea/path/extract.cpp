@@ -9,9 +9,8 @@
 #include <fovea/base/hash.h>
 #include <fovea/field/fields.h>
 #include <fovea/mesh/stretch.h>
+#include <fovea/path/append.h>
 #include <fovea/path/doubles.h>
-#include <fovea/path/find_curves.h>
-#include <fovea/path/find_edges.h>
 
 namespace fovea::path {
 namespace {
@@ -122,160 +121,79 @@ PlacementPaths extract_placement(const SurfaceView& seen, const std::vector<Plac
     return paths;
 }
 
-/// Where the chains of one placement (`none`: of the frame) are written in the result, and whether they are
-/// view-dependent.
-struct Slot {
-    Index placement, path, point;
-    bool of_view;
+/// What line sets are for a surface.
+struct Asked {
+    std::shared_ptr<const Surface> surface;
+    std::vector<PlacedSet> sets;
+    std::uint64_t hash = 0;
+
+    Asked() = default;
+    Asked(std::shared_ptr<const Surface> of, std::vector<PlacedSet> placed)
+        : surface(std::move(of)),
+          sets(std::move(placed)),
+          hash(hash_numbers(hash_sets(sets), hash_of(surface->field_options()),
+                            static_cast<std::uint64_t>(surface->shape()))) {}
 };
 
-/// Writes the columns that chains of edges and of curves have in common. line_set, free and id take a chain's index;
-/// point takes a point's index over all chains.
-template <typename Chains, typename LineSet, typename Free, typename Id, typename Point>
-void write_paths(const Chains& chains, Slot slot, const LineSet& line_set, const Free& free, const Id& id,
-                 const Point& point, Paths& paths) {
-    parallel_for(chains.rows.count(), [&](std::size_t c) {
-        const std::size_t p = slot.path + c;
-        paths.rows.offsets[p] = slot.point + chains.rows.begin(c);
-        paths.closed[p] = chains.closed[c];
-        paths.line_set[p] = line_set(c);
-        paths.free_ends[p] = free(c);
-        paths.of_view[p] = slot.of_view;
-        paths.placement[p] = slot.placement;
-        paths.id[p] = id(c);
-        double arc = 0.0;
-        for (Index i = chains.rows.begin(c); i < chains.rows.end(c); ++i) {
-            if (i > chains.rows.begin(c)) arc += glm::distance(dvec3(point(i - 1)), dvec3(point(i)));
-            paths.points_obj[slot.point + i] = point(i);
-            paths.arc_obj[slot.point + i] = arc;
-        }
-    });
-}
-
-void write_found(const Scene& scene, const EdgeChains& found, Slot slot, Paths& paths) {
-    const Chains& chains = *found.chains;
-    const Placement& placement = scene.placements[slot.placement];
-    const Surface& surface = *placement.surface;
-    write_paths(
-        chains, slot, [&](std::size_t c) { return chains.label[c]; }, [&](std::size_t c) { return found.free[c]; },
-        [&](std::size_t c) { return hash_numbers(placement.id, chains.anchor[c]); },
-        [&](Index i) { return surface.positions[chains.vertex[i]]; }, paths);
-    parallel_for(chains.vertex.size(), [&](std::size_t i) {
-        const std::size_t n = slot.point + i;
-        paths.place[n] = chains.edge[i];
-        paths.edge_t[n] = surface.edges[chains.edge[i]].x == chains.vertex[i] ? 0.0f : 1.0f;
-        paths.kinds[n] = found.kinds[i];
-        paths.strength[n] = 1.0f;
-        paths.other_facet[n] = none;
-    });
-}
-
-void write_found(const Scene& scene, const FoundCurves& found, Slot slot, Paths& paths) {
-    const Placement* placement = slot.placement == none ? nullptr : &scene.placements[slot.placement];
-    const CurveChains& chains = *found.chains;
-    std::uint64_t id = placement ? placement->id : 0;
-    if (found.other != none && found.other != slot.placement) id = hash_numbers(id, scene.placements[found.other].id);
-    write_paths(
-        chains, slot, [&](std::size_t) { return found.line_set; }, [&](std::size_t c) { return chains.free[c]; },
-        [&](std::size_t c) { return hash_numbers(id, found.definition + 1, chains.anchor[c]); },
-        [&](Index i) { return chains.point[i]; }, paths);
-    if (slot.of_view && (smooth_contours() >> found.definition & 1))
-        std::fill_n(paths.of_view.begin() + slot.path, chains.rows.count(), ends_at_cusps);
-    parallel_for(chains.point.size(), [&](std::size_t i) {
-        const std::size_t n = slot.point + i;
-        paths.place[n] = placement ? placement->surface->place_of_triangle(chains.triangle[i]) : none;
-        paths.edge_t[n] = 0.0f;
-        paths.kinds[n] = Kinds(1) << found.definition;
-        paths.strength[n] = chains.strength[i];
-        paths.other_facet[n] = found.other == none
-                                   ? none
-                                   : scene.facet_base[found.other] +
-                                         scene.placements[found.other].surface->triangle_facet[chains.other[i]];
-    });
-}
-
-void resize(Paths& paths, Index path_count, Index point_count) {
-    paths.rows.offsets.resize(path_count + 1);
-    paths.rows.offsets[path_count] = point_count;
-    resize_columns(paths, Paths::path_columns, path_count);
-    resize_columns(paths, Paths::point_columns, point_count);
-}
-
-/// Appends what was found on a placement (`none`: in the image).
-template <typename Found>
-void append(const Scene& scene, Index placement, const Found& found, bool of_view, Paths& paths) {
-    const Slot slot{placement, paths.count(), paths.rows.offsets.back(), of_view};
-    resize(paths, slot.path + found.chains->rows.count(), slot.point + found.chains->rows.offsets.back());
-    write_found(scene, found, slot, paths);
-}
-
-/// In at most 256 blocks, the Paths that write(paths, i) appends for each i; independent of the number of threads.
-template <typename Write>
-std::vector<Paths> paths_of(std::size_t count, const Write& write) {
+/// In at most 256 blocks, the Paths to which write(paths, i) appends for each i, of a `write` that make() gives for
+/// each block; independent of the number of threads.
+template <typename Make>
+std::vector<Paths> in_parts(std::size_t count, const Make& make) {
     return parallel_parts<Paths>(count, count / 256 + 1, [&](Paths& part, std::size_t begin, std::size_t end) {
+        auto write = make();
         for (std::size_t i = begin; i < end; ++i) write(part, i);
     });
-}
-
-/// Concatenates parts; each is freed once it is copied.
-Paths join(std::vector<Paths>& parts) {
-    std::vector<Index> paths, points;
-    for (const Paths& part : parts) {
-        paths.push_back(part.count());
-        points.push_back(part.rows.offsets.back());
-    }
-    counts_to_offsets(paths);
-    counts_to_offsets(points);
-    Paths all;
-    resize(all, paths.back(), points.back());
-    parallel_for(parts.size(), 1, [&](std::size_t i) {
-        const Paths part = std::move(parts[i]);
-        for (Index p = 0; p < part.count(); ++p) all.rows.offsets[paths[i] + p] = points[i] + part.rows.begin(p);
-        copy_columns(part, Paths::path_columns, all, paths[i]);
-        copy_columns(part, Paths::point_columns, all, points[i]);
-    });
-    return all;
 }
 
 }  // namespace
 
 Paths extract_paths(const Scene& scene, const View& view, const std::vector<LineSet>& sets, const Tracer& tracer,
-                    const Cancel& cancel, const OwnLines& own) {
+                    const Cancel& cancel, const OwnLines& own, double least_px) {
     check(sets.size() < 255, "a style holds at most 254 line sets");
     if (sets.empty()) return {};
     tracer.check_current();
     check_filters(scene.placements.size(), sets, own);
-    const bool view_dependent =
+    const bool of_view =
         any_asked(sets, [](const LineDefinition& definition) { return definition.scope >= Scope::view; });
-    std::vector<Index> drawn;
-    for (Index i = 0; i < scene.placements.size(); ++i)
-        if ((scene.placements[i].usage & usage_draw) && in_frame(scene.placements[i], view, frame_margin))
-            drawn.push_back(i);
+    const auto drawn =
+        parallel_collect<Index>(scene.placements.size(), 4096, [&](std::size_t begin, std::size_t end, auto& out) {
+            for (auto i = static_cast<Index>(begin); i < end; ++i)
+                if ((scene.placements[i].usage & usage_draw) && in_frame(scene.placements[i], view, frame_margin))
+                    out.push_back(i);
+        });
 
-    std::vector<Paths> parts = paths_of(drawn.size(), [&](Paths& part, std::size_t i) {
-        cancel.poll();
-        const Index placement = drawn[i];
-        const Placement& placed = scene.placements[placement];
-        const auto surface = as_placed(placed.surface, placed.object_to_world);
-        const std::vector<PlacedSet> mine = sets_of(placement, *surface, sets, own);
-        const std::uint64_t asked = hash_numbers(hash_sets(mine), hash_of(surface->field_options()),
-                                                 static_cast<std::uint64_t>(surface->shape()));
-        const PlacementPaths found =
-            extract_placement(look_at(*surface, scene, placement, view, tracer), mine, asked, view_dependent);
-        if (found.edges) {
-            append(scene, placement, found.edges->kept, false, part);
-            append(scene, placement, found.edges->seen, true, part);
-        }
-        for (const FoundCurves& c : *found.kept_curves) append(scene, placement, c, false, part);
-        for (const FoundCurves& c : found.seen_curves) append(scene, placement, c, true, part);
+    const bool alike = !varies_by_placement(sets, own);
+    std::vector<Paths> parts = in_parts(drawn.size(), [&] {
+        return [&, appender = Appender(scene, view, least_px), asked = Asked()](Paths& part, std::size_t i) mutable {
+            cancel.poll();
+            const Index placement = drawn[i];
+            const Placement& placed = scene.placements[placement];
+            const auto surface = as_placed(placed.surface, placed.object_to_world);
+            if (!alike || asked.surface != surface) asked = {surface, sets_of(placement, *surface, sets, own)};
+            const PlacementPaths found =
+                extract_placement(look_at(*surface, scene, placement, view, tracer), asked.sets, asked.hash, of_view);
+            if (found.edges) {
+                appender.append(placement, found.edges->kept, false, part);
+                appender.append(placement, found.edges->seen, true, part);
+            }
+            for (const FoundCurves& c : *found.kept_curves) appender.append(placement, c, false, part);
+            for (const FoundCurves& c : found.seen_curves) appender.append(placement, c, true, part);
+        };
     });
+    const auto append = [&](std::size_t count, bool changes, const auto& placement, const auto& curves) {
+        auto more = in_parts(count, [&] {
+            return [&, appender = Appender(scene, view, least_px)](Paths& part, std::size_t i) mutable {
+                appender.append(placement(i), curves(i), changes, part);
+            };
+        });
+        std::ranges::move(more, std::back_inserter(parts));
+    };
     const std::vector<FoundCurves> in_image = find_curves_in_image(sets, tracer, cancel);
     const auto of_scene = find_curves_in_scene(scene, drawn, sets, own, cancel);
-    const auto take = [&](std::vector<Paths> more) { std::ranges::move(more, std::back_inserter(parts)); };
-    take(paths_of(in_image.size(), [&](Paths& part, std::size_t i) { append(scene, none, in_image[i], true, part); }));
-    take(paths_of(of_scene.size(), [&](Paths& part, std::size_t i) {
-        append(scene, of_scene[i].first, of_scene[i].second, false, part);
-    }));
+    append(in_image.size(), true, [](std::size_t) { return none; }, [&](std::size_t i) { return in_image[i]; });
+    append(
+        of_scene.size(), false, [&](std::size_t i) { return of_scene[i].first; },
+        [&](std::size_t i) { return of_scene[i].second; });
     return join(parts);
 }
 

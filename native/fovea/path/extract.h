@@ -10,8 +10,9 @@ namespace fovea::path {
 
 /// Paths of all line sets. An edge found by several sets belongs to the first. View-independent lines are found and
 /// chained once and cached with the surface. Placements outside the frame are skipped. `own`: per-placement overrides.
-/// Throws std::invalid_argument if line sets or `own` do not match the number of placements.
+/// `least_px`: paths of one segment that is no longer in the image are left out (append.h), as project() drops those no
+/// longer than a sample. Throws std::invalid_argument if line sets or `own` do not match the number of placements.
 Paths extract_paths(const Scene& scene, const View& view, const std::vector<LineSet>& sets, const Tracer& tracer,
-                    const Cancel& cancel, const OwnLines& own = {});
+                    const Cancel& cancel, const OwnLines& own = {}, double least_px = 0.0);
 
 }  // namespace fovea::path

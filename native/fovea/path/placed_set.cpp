@@ -47,6 +47,12 @@ void check_filters(std::size_t placements, const std::vector<LineSet>& sets, con
     check_materials(own.materials, placements);
 }
 
+bool varies_by_placement(const std::vector<LineSet>& sets, const OwnLines& own) {
+    const auto varies = [](const LineSet& set) { return !set.placements.empty() || !set.materials.row.empty(); };
+    return !own.kinds.empty() || !own.parameters.empty() || !own.materials.row.empty() ||
+           std::ranges::any_of(sets, varies);
+}
+
 std::vector<PlacedSet> sets_of(Index placement, const Surface& surface, const std::vector<LineSet>& sets,
                                const OwnLines& own) {
     std::vector<PlacedSet> placed;

@@ -27,6 +27,9 @@ struct PlacedSet {
 /// if a material filter refers to a missing mask.
 void check_filters(std::size_t placements, const std::vector<LineSet>& sets, const OwnLines& own);
 
+/// Whether sets_of depends on the placement itself, not on its surface alone.
+bool varies_by_placement(const std::vector<LineSet>& sets, const OwnLines& own);
+
 /// `surface`: the placement's.
 std::vector<PlacedSet> sets_of(Index placement, const Surface& surface, const std::vector<LineSet>& sets,
                                const OwnLines& own);

@@ -55,12 +55,13 @@ class Parting {
             at_ = i;
         }
         const double s = clipped_.share_at(i, arc, 0.5);
-        const auto behind = tracer_.behind(vec3(segment_.at(s)), segment_.ignore);
-        return {source, !behind || !continues(paths_.placement[path], behind->placement)};
+        return {source, !continues(vec3(segment_.at(s)), paths_.placement[path])};
     }
 
-    bool continues(Index own, Index behind) const {
-        return tracer_.scene().share_outline(own, behind) && (inner_ == Inner::own || own != behind);
+    bool continues(const vec3& point, Index own) const {
+        if (inner_ == Inner::own) return tracer_.continues_behind(point, segment_.ignore, own);
+        const auto behind = tracer_.behind(point, segment_.ignore);
+        return behind && own != behind->placement && tracer_.scene().share_outline(own, behind->placement);
     }
 
     /// Result of test k, with isolated results replaced by those of their neighbors.

@@ -41,23 +41,12 @@ void box_of_instance(const RTCBoundsFunctionArguments* at) {
     *at->bounds_o = box_between(center - half, center + half, std::max({farthest.x, farthest.y, farthest.z}));
 }
 
-/// Leads the ray through an instance that it passes.
+/// Leads the ray through an instance whose box it passes.
 void pass_instance(const RTCIntersectFunctionNArguments* at) {
     auto& context = *static_cast<RayContext*>(at->context);
-    const Tracer::Bvh::Instance& instance = context.bvh.instances[at->primID];
-    context.placement = instance.placement;
-    context.surface = context.bvh.scene.placements[instance.placement].surface.get();
-    const glm::dmat4x3& to_object = instance.view_to_object;
-    const dvec3 along = to_object * dvec4(context.direction, 0.0);
-    if (along == dvec3(0.0)) return;
-    context.local = ShearedRay(to_object * dvec4(context.origin, 1.0), along);
-    const double before = context.far_t;
-    instance.surface->lead(context);
-    if (context.far_t != before) {
-        const dvec3 size = glm::abs(context.direction);
-        RTCRayN_tfar(RTCRayHitN_RayN(at->rayhit, 1), 1, 0) =
-            end_of_ray(context.far_t, std::max({size.x, size.y, size.z}));
-    }
+    if (!context.pass(context.bvh.instances[at->primID])) return;
+    const dvec3 size = glm::abs(context.direction);
+    RTCRayN_tfar(RTCRayHitN_RayN(at->rayhit, 1), 1, 0) = end_of_ray(context.far_t, std::max({size.x, size.y, size.z}));
 }
 
 }  // namespace
@@ -137,6 +126,15 @@ std::optional<Hit> Tracer::Bvh::trace(const Ray& ray, const Ignore& ignore) cons
     return nearest.found;
 }
 
+std::optional<Hit> Tracer::Bvh::trace_if_of(Index placement, const Ray& ray, const Ignore& ignore) const {
+    const auto own = std::ranges::lower_bound(instances, placement, {}, &Instance::placement);
+    if (own == instances.end() || own->placement != placement) return {};
+    Nearest nearest(*this, ray, ignore);
+    nearest.pass(*own);
+    if (nearest.found) lead(nearest);
+    return nearest.found;
+}
+
 RayContext::RayContext(const Tracer::Bvh& of, const Ray& ray, const Ignore& skipped)
     : bvh(of),
       ignore(skipped),
@@ -146,6 +144,18 @@ RayContext::RayContext(const Tracer::Bvh& of, const Ray& ray, const Ignore& skip
       far_t(ray.far_t),
       reach_t(skipped.reach > 0.0f ? skipped.reach / glm::length(direction) : 0.0) {
     init_context(*this);
+}
+
+bool RayContext::pass(const Tracer::Bvh::Instance& instance) {
+    placement = instance.placement;
+    surface = bvh.scene.placements[placement].surface.get();
+    const glm::dmat4x3& to_object = instance.view_to_object;
+    const dvec3 along = to_object * dvec4(direction, 0.0);
+    if (along == dvec3(0.0)) return false;
+    local = ShearedRay(to_object * dvec4(origin, 1.0), along);
+    const double before = far_t;
+    instance.surface->lead(*this);
+    return far_t != before;
 }
 
 double RayContext::along_normal(Index triangle) const {

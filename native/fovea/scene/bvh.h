@@ -100,9 +100,9 @@ struct Tracer::Bvh {
     };
     const Scene& scene;
     OwnedScene top;
-    Array<dmat4> object_to_view;  // per placement
-    std::vector<Instance> instances;
-    std::vector<Version> surfaces;  // by address
+    Array<dmat4> object_to_view;      // per placement
+    std::vector<Instance> instances;  // by placement
+    std::vector<Version> surfaces;    // by address
 
     explicit Bvh(const Scene& of);
     /// The placements `hiding` hide, and are all that rays meet.
@@ -110,6 +110,8 @@ struct Tracer::Bvh {
     void lead(RayContext& context) const;
     /// The first of the hits that are not ignored.
     std::optional<Hit> trace(const Ray& ray, const Ignore& ignore) const;
+    /// The same if the ray meets that placement at all, which is quick to tell; else nothing.
+    std::optional<Hit> trace_if_of(Index placement, const Ray& ray, const Ignore& ignore) const;
 };
 
 /// A ray on its way, as Embree hands it from box to box.
@@ -128,6 +130,8 @@ struct RayContext : QueryContext {
 
     RayContext(const Tracer::Bvh& of, const Ray& ray, const Ignore& skipped);
     virtual ~RayContext() = default;
+    /// Leads the ray through an instance. Whether that shortened it.
+    bool pass(const Tracer::Bvh::Instance& instance);
     /// The ray meets a triangle between near_t and far_t. May shorten the ray.
     virtual void meet(Index triangle, const TriangleHit& hit) = 0;
 

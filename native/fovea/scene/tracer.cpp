@@ -30,14 +30,16 @@ bool is_flat_and_convex(const Outline& quad) {
 Tracer::Tracer(const Scene& scene, const View& view)
     : scene_(scene), view_(view), clip_to_view_(glm::inverse(view.view_to_clip)), bvh_(std::make_unique<Bvh>(scene)) {
     bvh_->object_to_view.resize(scene.placements.size());
-    Array<Index> hiding;
-    for (Index i = 0; i < scene.placements.size(); ++i) {
-        const Placement& placement = scene.placements[i];
-        bvh_->object_to_view[i] = view.world_to_view * placement.object_to_world;
-        const bool hides = placement.usage & (usage_occlude | usage_holdout);
-        if (hides && placement.surface->occluding_triangles > 0 && in_frame(placement, view, 0.1)) hiding.push_back(i);
-    }
-    bvh_->build(hiding);
+    bvh_->build(
+        parallel_collect<Index>(scene.placements.size(), 4096, [&](std::size_t begin, std::size_t end, auto& hiding) {
+            for (auto i = static_cast<Index>(begin); i < end; ++i) {
+                const Placement& placement = scene.placements[i];
+                bvh_->object_to_view[i] = view.world_to_view * placement.object_to_world;
+                const bool hides = placement.usage & (usage_occlude | usage_holdout);
+                if (hides && placement.surface->occluding_triangles > 0 && in_frame(placement, view, 0.1))
+                    hiding.push_back(i);
+            }
+        }));
 }
 
 Tracer::~Tracer() = default;
@@ -58,13 +60,24 @@ std::optional<Hit> Tracer::occluder(const vec3& point, const Ignore& ignore) con
     return bvh_->trace(ray, ignore);
 }
 
-std::optional<Hit> Tracer::behind(const vec3& point, const Ignore& ignore) const {
+Ray Tracer::ray_beyond(const vec3& point) const {
     constexpr float infinity = std::numeric_limits<float>::infinity();
     if (view_.orthographic) {
         const float reach = std::max(std::abs(point.z), 1e-6f);
-        return bvh_->trace({point, vec3(0, 0, -reach), static_cast<float>(ray_margin), infinity}, ignore);
+        return {point, vec3(0, 0, -reach), static_cast<float>(ray_margin), infinity};
     }
-    return bvh_->trace({vec3(0.0f), point, static_cast<float>(1.0 + ray_margin), infinity}, ignore);
+    return {vec3(0.0f), point, static_cast<float>(1.0 + ray_margin), infinity};
+}
+
+std::optional<Hit> Tracer::behind(const vec3& point, const Ignore& ignore) const {
+    return bvh_->trace(ray_beyond(point), ignore);
+}
+
+bool Tracer::continues_behind(const vec3& point, const Ignore& ignore, Index placement) const {
+    const auto nearest = scene_.placements[placement].group == 0
+                             ? bvh_->trace_if_of(placement, ray_beyond(point), ignore)
+                             : bvh_->trace(ray_beyond(point), ignore);
+    return nearest && scene_.share_outline(nearest->placement, placement);
 }
 
 std::optional<Hit> Tracer::seen(const dvec2& px) const {

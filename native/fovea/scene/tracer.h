@@ -108,6 +108,9 @@ class Tracer {
     /// The nearest surface beyond `point` on the ray from the eye through it.
     std::optional<Hit> behind(const vec3& point, const Ignore& ignore) const;
 
+    /// Whether that surface is of the placement, or of one that shares its outline.
+    bool continues_behind(const vec3& point, const Ignore& ignore, Index placement) const;
+
     /// The nearest surface under a pixel position; its t is view-space distance along -z.
     std::optional<Hit> seen(const dvec2& px) const;
 
@@ -132,6 +135,8 @@ class Tracer {
     /// Ray from the eye, or from the near plane, to a point; empty (far_t <= near_t) if the point is before the near
     /// plane.
     Ray ray_to(const vec3& point) const;
+    /// Ray from a point away from the eye.
+    Ray ray_beyond(const vec3& point) const;
     struct Count;
 
     const Scene& scene_;
