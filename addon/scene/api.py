@@ -91,7 +91,7 @@ def lines(
         others = np.array([origin.object not in wanted for origin in snapshot.origins], bool)
         snapshot.usage[others[snapshot.origin_of_placement]] &= ~np.uint8(scenes.DRAW)
     chosen, placed = pipeline.style_of_lines(kinds, corner_angle, hidden), scenes.placed(core, snapshot)
-    frame = pipeline.frame(placed, scenes.seen(core, view), chosen, core.CpuBackend(), pipeline.options())
+    frame = pipeline.frame(placed, scenes.seen(core, view), chosen, core.CpuBackend(), pipeline.options(all_paths=True))
     frame.find()
     view_to_world, paths = np.linalg.inv(view.world_to_view), frame.paths
     if visible or hidden:

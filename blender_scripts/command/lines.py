@@ -69,7 +69,7 @@ def extract(native, options):
     surface.set_field_options(options.estimator, options.degree, options.rings, options.smoothing)
     scene, view, view_to_object = _look(native, surface, polygons.drawn_positions(), options)
     chosen = _style(options)
-    frame = pipeline.frame(scene, view, chosen, native.CpuBackend(), pipeline.options())
+    frame = pipeline.frame(scene, view, chosen, native.CpuBackend(), pipeline.options(all_paths=True))
     frame.find()
     if options.visible:
         arrays = importlib.import_module("addon.line_arrays").seen(frame, view_to_object)

@@ -24,21 +24,18 @@ namespace fovea::base {
 /// calling thread's scope, as all loops here do.
 template <typename Body>
 void parallel_for(std::size_t count, std::size_t grain, const Body& body) {
-    const auto all_of = [&](std::size_t begin, std::size_t end) {
+    const auto block = [&](std::size_t begin, std::size_t end) __attribute__((noinline)) {
+        Cancelling::poll();
         for (std::size_t i = begin; i != end; ++i) body(i);
     };
     // oneTBB's task for a single block would cost more than most of them.
-    if (count <= grain) {
-        Cancelling::poll();
-        return all_of(0, count);
-    }
+    if (count <= grain) return block(0, count);
     const ForkJoin call;
     const Cancel* const cancel = Cancelling::current();
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, grain), [&](const auto& range) FOVEA_TBB_HANDS_OVER {
         const ForkJoin::Body here(call);
         const Cancelling scope(cancel);
-        Cancelling::poll();
-        all_of(range.begin(), range.end());
+        block(range.begin(), range.end());
     });
 }
 

@@ -65,8 +65,8 @@ void Frame::find() {
     const double step_px = std::max(job.options.sample_step * scale(), least_sample_step_px);
     stage("lines", 0.1, [&] {
         const std::vector<LineSet> sets = line_sets_of(job.style, job.overrides);
-        paths = std::make_shared<Paths>(
-            extract_paths(*job.scene, job.view, sets, *tracer, cancel(), job.overrides.lines, step_px));
+        paths = std::make_shared<Paths>(extract_paths(*job.scene, job.view, sets, *tracer, cancel(),
+                                                      job.overrides.lines, job.options.all_paths ? 0.0 : step_px));
     });
     stage("project", 0.15, [&] {
         ProjectOptions options{.sample_step_px = step_px};

@@ -39,6 +39,7 @@ struct Options {
     /// Drafts: lines of a set that are not the outer boundary go to the next set that draws them. Hidden parts have no
     /// pens then.
     Outlines outlines = {};
+    bool all_paths = false;   ///< whether paths are found, too, that are too short to be drawn
     int focus_step = 1;       ///< drafts: spacing [px] at which focus is evaluated for the color layer
     bool with_depth = false;  ///< whether to make the depth pass
     bool with_focus = false;  ///< whether to make the focus pass, if the style has focus
@@ -63,6 +64,7 @@ struct Options {
         style::Field{"beside", &Options::beside, "", "", reach},
         style::Field{"least_hidden", &Options::least_hidden, "", "", length},
         style::Field{"outlines", &Options::outlines},
+        style::Field{"all_paths", &Options::all_paths},
         style::Field{"focus_step", &Options::focus_step, "", "", style::number(1, 1000, 8)},
         style::Field{"with_depth", &Options::with_depth},
         style::Field{"with_focus", &Options::with_focus}};

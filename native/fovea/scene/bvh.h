@@ -44,9 +44,9 @@ float end_of_ray(double t, double longest);
 struct RayContext;
 
 /// BVH over the occluding triangles of a surface. Borrows the surface's arrays and is stored in its lasting cache.
-/// Built with Embree's default quality as long as the surface does not move, then in a mode that can be refitted. When
-/// vertices move with `refit`, it is refitted, or rebuilt if the triangles differ or have moved so much relative to
-/// each other that the refitted boxes would overlap too much.
+/// Built with Embree's default quality as long as the surface does not move and is not large, then in a mode that can
+/// be refitted. When vertices move with `refit`, it is refitted, or rebuilt if the triangles differ or have moved so
+/// much relative to each other that the refitted boxes would overlap too much.
 class SurfaceBvh {
    public:
     explicit SurfaceBvh(const Surface& surface);

@@ -23,6 +23,9 @@ namespace {
 constexpr Index probes = 4096;
 constexpr double worst_spread = 1.7;
 
+/// Number of triangles from which building a BVH of default quality would take longer than its rays gain.
+constexpr Index many = 1 << 18;
+
 /// Largest number of triangles in a patch.
 constexpr Index most_in_patch = 4;
 
@@ -145,10 +148,9 @@ void SurfaceBvh::build(const Surface& surface) const {
     patches_ = patches(surface);
     take(surface);
     scene_.reset(rtcNewScene(bvh_device()));
-    if (moves_) {
-        rtcSetSceneFlags(scene_.get(), RTC_SCENE_FLAG_DYNAMIC);
+    if (moves_) rtcSetSceneFlags(scene_.get(), RTC_SCENE_FLAG_DYNAMIC);
+    if (moves_ || surface.occluding_triangles >= many)
         rtcSetSceneBuildQuality(scene_.get(), RTC_BUILD_QUALITY_LOW);  // Embree refits in these scenes only
-    }
     geometry_ = attach_boxes(scene_.get(), patches_.size() - 1, box_of, meet, &triangles_);
     if (moves_) {
         rtcSetGeometryBuildQuality(geometry_, RTC_BUILD_QUALITY_REFIT);
