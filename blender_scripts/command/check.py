@@ -12,7 +12,7 @@ from pathlib import Path
 
 from .target import PROJECT, say, tail
 
-CPP = ("native", "tests/native")  # folders of all C++ files
+CPP = ("native", "tests")  # folders of all C++ files
 RULES = [f"tests/python/test_{what}.py" for what in ("layering", "licenses", "shaders")]  # they only read the sources
 # A finding in the format of compilers and ruff: FILE:LINE:COLUMN: MESSAGE.
 PLACE = re.compile(r"(?P<file>[^\s:]+):\d+:\d+: (?!note: ).+")

@@ -25,7 +25,9 @@ set(folder ${FOVEA_SOURCES}/onetbb)
 file(GLOB files ${folder}/src/tbb/*.cpp)
 fovea_static(tbb ${files})
 target_include_directories(tbb SYSTEM PUBLIC ${folder}/include)
-target_compile_definitions(tbb PUBLIC __TBB_NO_IMPLICIT_LINKAGE PRIVATE __TBB_BUILD __TBB_SOURCE_DIRECTLY_INCLUDED=0
+target_compile_definitions(tbb PUBLIC __TBB_NO_IMPLICIT_LINKAGE PRIVATE __TBB_BUILD
+                           # Else only a library of its own starts it on Windows; as a part of others it starts itself.
+                           __TBB_SOURCE_DIRECTLY_INCLUDED=1
                            # Its weak references would be bound to the allocator of the host program's own oneTBB.
                            __TBB_WEAK_SYMBOLS_PRESENT=0 __TBB_DYNAMIC_LOAD_ENABLED=0)
 target_link_libraries(tbb PUBLIC Threads::Threads PRIVATE ${CMAKE_DL_LIBS})

@@ -47,6 +47,7 @@ Options parse(int count, char** words) {
     CLI::App app(
         "Draws a model (OBJ or PLY) without Blender and prints, as JSON, what it is made of, how many lines it has "
         "and how long each stage takes.");
+    app.allow_windows_style_options(false);  // on Windows, too, /models/ball.obj is a file
     app.add_option("model", options.model, "an .obj or .ply file")->required();
     app.add_option("--lines", options.lines, "line definitions by name, with commas between them, or all")
         ->delimiter(',')

@@ -11,11 +11,11 @@ import pytest
 from command.standalone import build, checks, interface, toolchain
 
 WINDOWS = toolchain.PLATFORMS["windows-x64"]
-LOADER = Path(__file__).with_name("load.c")
+LOADER = Path(__file__).with_name("load.cpp")
 
 
 def compiled(target, source, result, *words):
-    compiler = target.work / "compilers" / WINDOWS.name / "cc"
+    compiler = target.work / "compilers" / WINDOWS.name / "c++"
     subprocess.run([compiler, "-O1", "-s", source, "-o", result, *words], check=True)
 
 
@@ -26,9 +26,10 @@ def load(target, run, tmp_path_factory):
 
     def start(python, names, name=checks.ENTRY, **expected):
         folder = tmp_path_factory.mktemp("loaded")
-        stub = folder / f"python{python.replace('.', '')}.c"
-        kinds = ("__declspec(dllexport) void {}(void) {{ __builtin_trap(); }}", "__declspec(dllexport) char {}[4096];")
-        stub.write_text("\n".join(kinds[is_data].format(each) for each, is_data in names.items()))
+        stub = folder / f"python{python.replace('.', '')}.cpp"
+        kinds = ("__declspec(dllexport) void {}() {{ __builtin_trap(); }}", "__declspec(dllexport) char {}[4096];")
+        rows = "\n".join(kinds[is_data].format(each) for each, is_data in names.items())
+        stub.write_text(f'extern "C" {{\n{rows}\n}}\n')
         compiled(target, stub, stub.with_suffix(".dll"), "-shared", "-nostartfiles", "-w")
         compiled(target, LOADER, folder / "load.exe", "-Wall", "-Wextra", "-Werror")
         module = build.module_place(target.cache, WINDOWS, python)

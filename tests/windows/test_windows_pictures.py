@@ -50,8 +50,8 @@ def test_every_line_definition_is_the_same_on_windows(drawn, model):
 
 def test_another_style_another_model_and_another_view_are_other_pictures(drawn):
     """So bytes that are equal say something."""
-    plain = ("--style", ADDON / "styles" / "plain.json")
-    kinds = [("torus", *plain), ("stairs", *plain), ("torus",), ("torus", *plain, "--azimuth", "10")]
+    plain, pencil = (("--style", ADDON / "styles" / f"{name}.json") for name in ("plain", "pencil"))
+    kinds = [("torus", *plain), ("stairs", *plain), ("torus", *pencil), ("torus", *plain, "--azimuth", "10")]
     pictures = {drawn("windows-x64", *words)[0] for words in kinds}
     assert len(pictures) == len(kinds)
 

@@ -6,7 +6,6 @@ import stat
 from dataclasses import dataclass
 
 PYTHONS = ("3.11", "3.13")  # of Blender 4.2 to 5.0, and of 5.1 and later
-SUITES = {"3.14": "sid"}  # Pythons of a Debian suite's Blender alone, whose headers are the suite's: for tests
 SUITES = {"3.14": "sid"}  # a Python that only a Debian suite's Blender has, whose headers are there: for tests
 
 

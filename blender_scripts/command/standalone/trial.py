@@ -37,22 +37,25 @@ def run(target, names):
         log = target.run(f"tests with Python {python} and {place.name}", words, **environment)
         print(tail(log, 1).strip())
     if not tried:
-        known = " or ".join(toolchain.PYTHONS)
-        raise StepFailed(
-            f"no Python {known} with NumPy and pytest is here (apt-get install python3-numpy python3-pytest)"
-        )
+        raise StepFailed(f"no module is built for any of these: {', '.join(pythons().values())}")
     return 0
 
 
 def pythons():
-    """Version -> program, of those Pythons of this machine that have what the tests need."""
+    """Version -> program, of those Pythons of this machine that have what the tests need; StepFailed if none has."""
     found = {}
     names = [sys.executable, "/usr/bin/python3", *(f"python{python}" for python in toolchain.PYTHONS)]
     for program in filter(None, map(shutil.which, names)):
         done = subprocess.run([program, "-c", QUESTION], capture_output=True, text=True, check=False)
         if done.returncode == 0:
             found.setdefault(done.stdout.strip(), program)
-    return {python: found[python] for python in toolchain.PYTHONS if python in found}
+    fit = {python: found[python] for python in toolchain.PYTHONS if python in found}
+    if not fit:
+        known = " or ".join(toolchain.PYTHONS)
+        raise StepFailed(
+            f"no Python {known} with NumPy and pytest is here (apt-get install python3-numpy python3-pytest)"
+        )
+    return fit
 
 
 def stage(target, module):

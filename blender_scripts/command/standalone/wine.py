@@ -5,13 +5,12 @@ draws."""
 import os
 import shutil
 import subprocess
-import sys
 from collections import Counter
 from concurrent.futures import ThreadPoolExecutor
 
 from .. import test
 from ..target import PROJECT, StepFailed, say
-from . import build, toolchain
+from . import build, toolchain, trial
 
 WINDOWS, LINUX = toolchain.PLATFORMS["windows-x64"], toolchain.PLATFORMS["linux-x64"]
 PART = "windows"
@@ -56,18 +55,8 @@ def pictures(target, results, words):
     """tests/windows."""
     report = results / "windows.xml"
     folder = PROJECT / "tests" / "windows"
-    words = [
-        sys.executable,
-        "-B",
-        "-m",
-        "pytest",
-        "-v",
-        "-p",
-        "no:cacheprovider",
-        folder,
-        f"--junitxml={report}",
-        *words,
-    ]
+    python = next(iter(trial.pythons().values()))
+    words = [python, "-B", "-m", "pytest", "-v", "-p", "no:cacheprovider", folder, f"--junitxml={report}", *words]
     place = {"FOVEA_STANDALONE": str(target.cache), "FOVEA_STANDALONE_WORK": str(target.work)}
     return "what Windows' programs draw and load", words, report, place
 
