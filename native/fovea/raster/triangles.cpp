@@ -47,15 +47,28 @@ bool depth_plane(const std::array<dvec4, 3>& corner, dvec3& plane) {
 /// A triangle in homogeneous texel coordinates, before clipping.
 struct Source {
     std::array<dvec4, 3> corner;  ///< (x w, y w, depth w, w) in texels
+    std::array<dvec2, 3> texel;   ///< the corners divided by their w
     Index mesh, triangle;
 };
 
-/// Appends the triangle unless it covers no texel center. `clip`: its corners as those of a Source, after near-plane
-/// clipping. `away`: sign of the area of triangles to cull; 0: none.
-void append_on_screen(const std::array<dvec4, 3>& clip, const Source& source, const RasterTarget& target, double away,
+dvec2 in_texels(const dvec4& corner) { return dvec2(corner) / corner.w; }
+
+/// Texels from which on a triangle's box is not looked through for one that it covers.
+constexpr int few_texels = 8;
+
+bool covers_any(const RasterTriangle& t) {
+    for (int y = t.y0; y < t.y1; ++y)
+        for (int x = t.x0; x < t.x1; ++x)
+            if (t.covers(dvec2(x + 0.5, y + 0.5))) return true;
+    return false;
+}
+
+/// Appends the triangle unless it covers no texel center, which of large ones is not always known. `corner`: in texels,
+/// after near-plane clipping. `away`: sign of the area of triangles to cull; 0: none.
+void append_on_screen(const std::array<dvec2, 3>& corner, const Source& source, const RasterTarget& target, double away,
                       const std::array<bool, 3>& of_mesh, std::vector<RasterTriangle>& out) {
     RasterTriangle t;
-    for (int i = 0; i < 3; ++i) t.corner[i] = dvec2(clip[i]) / clip[i].w;
+    t.corner = corner;
     const double area = edge_function(t.corner[0], t.corner[1], t.corner[2]);
     if (!(area != 0.0) || !std::isfinite(area) || area * away > 0.0) return;
     const auto [ax, bx, cx] = std::array{t.corner[0].x, t.corner[1].x, t.corner[2].x};
@@ -70,6 +83,7 @@ void append_on_screen(const std::array<dvec4, 3>& clip, const Source& source, co
         std::swap(t.corner[1], t.corner[2]);
         std::swap(t.of_mesh[0], t.of_mesh[2]);
     }
+    if ((t.x1 - t.x0) * (t.y1 - t.y0) < few_texels && !covers_any(t)) return;
     if (!depth_plane(source.corner, t.plane)) return;
     t.mesh = source.mesh;
     t.triangle = source.triangle;
@@ -86,19 +100,19 @@ void append_clipped(const Source& source, const RasterTarget& target, double awa
         kept += inside[i] >= 0.0;
     }
     if (kept == 0) return;
-    if (kept == 3) return append_on_screen(corner, source, target, away, {true, true, true}, out);
-    std::array<dvec4, 4> polygon;
+    if (kept == 3) return append_on_screen(source.texel, source, target, away, {true, true, true}, out);
+    std::array<dvec2, 4> polygon;
     std::array<bool, 4> of_mesh;  // per edge, from each corner to the next
     int count = 0;
     for (int i = 0; i < 3; ++i) {
         const int j = (i + 1) % 3;
         if (inside[i] >= 0.0) {
             of_mesh[count] = true;
-            polygon[count++] = corner[i];
+            polygon[count++] = source.texel[i];
         }
         if ((inside[i] >= 0.0) != (inside[j] >= 0.0)) {
             of_mesh[count] = inside[i] < 0.0;
-            polygon[count++] = glm::mix(corner[i], corner[j], inside[i] / (inside[i] - inside[j]));
+            polygon[count++] = in_texels(glm::mix(corner[i], corner[j], inside[i] / (inside[i] - inside[j])));
         }
     }
     for (int i = 2; i < count; ++i)
@@ -131,7 +145,7 @@ void check_vertices(const RasterMesh& mesh, const Block& block) {
     check(highest < mesh.positions.size(), name_of(block.mesh) + "triangle refers to a missing vertex");
 }
 
-/// Vertices of a mesh in texels, homogeneous. Most are asked for again soon, and are not computed again then.
+/// Vertices of a mesh in texels. Most are asked for again soon, and are not computed again then.
 class Vertices {
    public:
     /// `asks`: how often vertices will be asked for.
@@ -140,18 +154,23 @@ class Vertices {
         for (std::size_t i = 0; i <= last_; ++i) kept_[i].vertex = none;
     }
 
-    const dvec4& at(Index vertex) {
+    struct Kept {
+        Index vertex;
+        dvec4 place;  ///< homogeneous
+        dvec2 texel;
+    };
+
+    const Kept& at(Index vertex) {
         Kept& kept = kept_[vertex & last_];
-        if (kept.vertex != vertex) kept = {vertex, to_texels_ * dvec4(positions_[vertex], 1.0)};
-        return kept.place;
+        if (kept.vertex != vertex) {
+            const dvec4 place = to_texels_ * dvec4(positions_[vertex], 1.0);
+            kept = {vertex, place, in_texels(place)};
+        }
+        return kept;
     }
 
    private:
     static constexpr std::size_t most = 512;
-    struct Kept {
-        Index vertex;
-        dvec4 place;
-    };
     In<vec3> positions_;
     dmat4 to_texels_;
     std::size_t last_;
@@ -170,8 +189,14 @@ void append_triangles(In<RasterMesh> meshes, const Block& block, const RasterTar
                       3 * (block.end - block.begin));
     const double away = away_sign(mesh);
     for (std::size_t i = block.begin; i < block.end; ++i) {
-        Source source{{}, block.mesh, static_cast<Index>(i)};
-        for (int k = 0; k < 3; ++k) source.corner[k] = vertices.at(mesh.triangles[i][k]);
+        Source source;
+        source.mesh = block.mesh;
+        source.triangle = static_cast<Index>(i);
+        for (int k = 0; k < 3; ++k) {
+            const Vertices::Kept& vertex = vertices.at(mesh.triangles[i][k]);
+            source.corner[k] = vertex.place;
+            source.texel[k] = vertex.texel;
+        }
         append_clipped(source, target, i < mesh.one_sided_from ? 0.0 : away, out);
     }
 }
