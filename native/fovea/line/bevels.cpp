@@ -95,7 +95,9 @@ class Bevels {
             for (int j = i; j < count; ++j) {
                 together += row.steps[j].turn;
                 if (j < std::max(at, i + 1)) continue;
-                if (first >= 0 && row.steps[j].at - row.steps[i].at >= row.steps[last].at - row.steps[first].at) break;
+                const double from = row.steps[i].at, to = row.steps[j].at;  // those after j are wider
+                if (first >= 0 && to - from >= row.steps[last].at - row.steps[first].at) break;
+                if (!is_known_beside(row, from, to)) break;
                 if (is_bevel(row, i, j, together)) first = i, last = j;
             }
         }
@@ -125,13 +127,18 @@ class Bevels {
         std::ranges::sort(row.steps, {}, &Row::Step::at);
     }
 
+    /// Whether the row goes far enough on both sides of a bevel.
+    static bool is_known_beside(const Row& row, double from, double to) {
+        const double width = to - from;
+        return from - beside * width >= row.known_from && to + beside * width <= row.known_to;
+    }
+
     /// `together`: sum of the turns from the first to the last.
     bool is_bevel(const Row& row, int first, int last, double together) const {
         const double from = row.steps[first].at, to = row.steps[last].at, width = to - from;
         if (row.steps[first].turn < least_turn || row.steps[last].turn < least_turn) return false;
         if (!(together >= least_together_ - 1e-6 && together <= most_together)) return false;
-        if (!(width > 0.0) || from - beside * width < row.known_from || to + beside * width > row.known_to)
-            return false;
+        if (!(width > 0.0)) return false;
         double before = 0.0, after = 0.0, nearest = 0.0;  // nearest: greatest turn within a width
         for (int k = 0; k < static_cast<int>(row.steps.size()); ++k) {
             const auto& step = row.steps[k];
