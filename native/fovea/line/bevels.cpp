@@ -41,8 +41,8 @@ class Bevels {
         });
         if (std::ranges::find(asked, 1) == asked.end()) return Array<std::uint8_t>(asked.size(), 0);
         steps_ = parallel_map<Step>(2 * asked.size(), [&](std::size_t i) { return step(Index(i / 2), i % 2, none); });
-        const auto width = parallel_map<float>(
-            asked.size(), [&](std::size_t e) { return asked[e] ? width_at(Index(e)) : 0.0f; });
+        const auto width =
+            parallel_map<float>(asked.size(), [&](std::size_t e) { return asked[e] ? width_at(Index(e)) : 0.0f; });
         // Rows of middle edges, by the name of their vertices: length, and width weighted by length.
         DisjointSets rows(surface_.vertex_count());
         for (Index e = 0; e < width.size(); ++e)
