@@ -4,6 +4,7 @@
 
 #include <fovea/scene/seen.h>
 #include <fovea/scene/tracer.h>
+#include <fovea/visibility/depth.h>
 #include <fovea/visibility/depth_image.h>
 
 #include "drawing.h"
@@ -215,6 +216,23 @@ TEST(Seen, DepthIsWhatARayThroughThePixelsCenterMeets) {
             }
         EXPECT_GT(hits, 30000);
         EXPECT_LE(differing, 2);  // centers that lie on an edge to the last bits
+    }
+}
+
+TEST(Seen, DepthIsThatOfTheDepthBufferToTheLastBit) {
+    // Triangles of half a pixel, of several pixels and of many, some through the near plane.
+    const Scene scene({place(sphere(200), moved({-1.2, 0, 0})), place(sphere(24), moved({1.2, 0, 0}), 2),
+                       place(grid(1), moved({0, 0, -1.2}) * scaled({30, 30, 1}), 3),
+                       place(sphere(60), moved({0, -9, 1}) * scaled(dvec3(0.7)), 4)});
+    const View view = perspective({0.3, -9, 1}, {0, 0, 0}, 40, 157, 91);
+    const Array<float> depth = depth_image(Tracer(scene, view), Cancel());
+    const DepthBuffer buffer =
+        draw_depth(depth_layout(view, {.scale = 1, .margin = 0.0}), view, depth_meshes(scene, view, 0.0));
+    for (std::size_t i = 0; i < depth.size(); ++i) {
+        const DepthTexel& texel = buffer.texels[i];
+        const float expected =
+            texel.facet == none ? background_depth : static_cast<float>(view.near_clip / texel.depth);
+        ASSERT_EQ(depth[i], std::min(expected, background_depth)) << i;
     }
 }
 

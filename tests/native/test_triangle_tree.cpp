@@ -195,6 +195,34 @@ TEST(FourPlanes, NeighborsAtASmoothVertexDoNotCrossAndThoseOfAFoldMay) {
     EXPECT_EQ(within.may_cross(15u, others, 2), 1u);  // goes through the first
 }
 
+TEST(FourPlanes, TrianglesWhoseCutsGoApartFromACommonCornerAreLeftOut) {
+    std::mt19937 random(7);
+    int crossing = 0, kept = 0, all = 0;
+    for (int round = 0; round < 5000; ++round) {
+        Triangles triangles = any_triangles(random, 8, 1.0);
+        for (auto& t : triangles) {
+            for (dvec3& corner : t) corner = dvec3(vec3(corner));
+            t[0] = triangles[0][0];
+        }
+        Triangles turned = triangles;  // the common corner is any of theirs
+        for (std::size_t i = 0; i < 8; ++i) std::ranges::rotate(turned[i], turned[i].begin() + (round + i * i) % 3);
+        const FourTriangles ours = four_of(turned, 0), others = four_of(turned, 4);
+        const FourPlanes planes(ours, 0.0f, true);
+        for (int j = 0; j < 4; ++j) {
+            const unsigned may = planes.may_cross(15u, others, j);
+            for (int i = 0; i < 4; ++i) {
+                const bool cross = surely_cross(triangles[i], triangles[4 + j]);
+                EXPECT_TRUE(!cross || (may >> i & 1u));
+                crossing += cross;
+                kept += may >> i & 1u;
+                ++all;
+            }
+        }
+    }
+    EXPECT_GT(crossing, all / 20);
+    EXPECT_LT(kept, 1.01 * crossing);
+}
+
 TEST(BoxTree, FindsWhatMeetsAnEndlessBoxAndNothingElse) {
     constexpr float endless = std::numeric_limits<float>::infinity();
     for (const std::size_t count : {1, 2, 5, 17, 70}) {

@@ -34,9 +34,15 @@ class Bevels {
     Bevels(const Surface& surface, double angle)
         : surface_(surface), edges_(surface), least_together_(std::max(least_together, glm::radians(angle))) {}
 
-    Array<std::uint8_t> find(In<std::uint8_t> known) const {
-        const auto width = parallel_map<float>(
-            surface_.mesh_edges, [&](std::size_t e) { return !known.empty() && known[e] ? 0.0f : width_at(Index(e)); });
+    Array<std::uint8_t> find(In<std::uint8_t> known) {
+        const auto asked = parallel_map<std::uint8_t>(surface_.mesh_edges, [&](std::size_t e) {
+            return (known.empty() || !known[e]) && std::abs(edges_.turn(Index(e))) >= least_turn &&
+                   surface_.sides(Index(e)).size() == 2;
+        });
+        if (std::ranges::find(asked, 1) == asked.end()) return Array<std::uint8_t>(asked.size(), 0);
+        steps_ = parallel_map<Step>(2 * asked.size(), [&](std::size_t i) { return step(Index(i / 2), i % 2, none); });
+        const auto width =
+            parallel_map<float>(asked.size(), [&](std::size_t e) { return asked[e] ? width_at(Index(e)) : 0.0f; });
         // Rows of middle edges, by the name of their vertices: length, and width weighted by length.
         DisjointSets rows(surface_.vertex_count());
         for (Index e = 0; e < width.size(); ++e)
@@ -57,9 +63,25 @@ class Bevels {
         return glm::distance(dvec3(surface_.positions[e.x]), dvec3(surface_.positions[e.y]));
     }
 
+    /// A step from an edge to the next one alongside it.
+    struct Step {
+        Index edge;    // none: there is none, or no face beyond it
+        bool side;     // of that edge, on which the way goes on
+        double width;  // to that edge, or as far as the face goes
+    };
+
+    /// The step from an edge across the face on a side of it, to another edge than `start`.
+    Step step(Index edge, bool side, Index start) const {
+        const In<EdgeSide> sides = surface_.sides(edge);
+        if (sides.size() <= std::size_t(side)) return {none, false, 0.0};
+        const Index facet = sides[side].facet();
+        const auto next = edges_.across(edge, facet, [&](Index e) { return e != start; });
+        if (next.edge == none || next.beyond == none) return {none, false, edges_.extent(edge, facet)};
+        return {next.edge, surface_.sides(next.edge)[0].facet() != next.beyond, next.width};
+    }
+
     /// Width of the bevel whose middle edge it is; 0: of none.
     float width_at(Index edge) const {
-        if (std::abs(edges_.turn(edge)) < least_turn || surface_.sides(edge).size() != 2) return 0.0f;
         thread_local Row row;
         look_across(edge, row);
         const int count = static_cast<int>(row.steps.size());
@@ -67,11 +89,18 @@ class Bevels {
         while (row.steps[at].edge != edge) ++at;
         // The narrowest bevel that the edge is in.
         int first = -1, last = -1;
-        for (int i = 0; i <= at; ++i)
-            for (int j = std::max(at, i + 1); j < count; ++j)
-                if (is_bevel(row, i, j) &&
-                    (first < 0 || row.steps[j].at - row.steps[i].at < row.steps[last].at - row.steps[first].at))
-                    first = i, last = j;
+        for (int i = 0; i <= at; ++i) {
+            if (row.steps[i].turn < least_turn) continue;
+            double together = 0.0;
+            for (int j = i; j < count; ++j) {
+                together += row.steps[j].turn;
+                if (j < std::max(at, i + 1)) continue;
+                const double from = row.steps[i].at, to = row.steps[j].at;  // those after j are wider
+                if (first >= 0 && to - from >= row.steps[last].at - row.steps[first].at) break;
+                if (!is_known_beside(row, from, to)) break;
+                if (is_bevel(row, i, j, together)) first = i, last = j;
+            }
+        }
         if (first < 0 || row.steps[middle(row, first, last)].edge != edge) return 0.0f;
         return static_cast<float>(row.steps[last].at - row.steps[first].at);
     }
@@ -82,33 +111,39 @@ class Bevels {
         row.steps.assign(1, {0.0, sign * edges_.turn(edge), edge});
         for (const int way : {-1, 1}) {
             double at = 0.0;
-            Index from = edge, facet = surface_.sides(edge)[way > 0].facet();
+            Index from = edge;
+            bool side = way > 0;
             for (int k = 0; k < most_steps; ++k) {
-                const auto next = edges_.across(from, facet, [&](Index e) { return e != edge; });
-                if (next.edge == none || next.beyond == none) {
-                    at += edges_.extent(from, facet);
-                    break;
-                }
+                Step next = steps_[2 * std::size_t(from) + side];
+                if (next.edge == edge) next = step(from, side, edge);
                 at += next.width;
+                if (next.edge == none) break;
                 row.steps.push_back({way * at, sign * edges_.turn(next.edge), next.edge});
                 from = next.edge;
-                facet = next.beyond;
+                side = next.side;
             }
             (way > 0 ? row.known_to : row.known_from) = way * at;
         }
         std::ranges::sort(row.steps, {}, &Row::Step::at);
     }
 
-    bool is_bevel(const Row& row, int first, int last) const {
+    /// Whether the row goes far enough on both sides of a bevel.
+    static bool is_known_beside(const Row& row, double from, double to) {
+        const double width = to - from;
+        return from - beside * width >= row.known_from && to + beside * width <= row.known_to;
+    }
+
+    /// `together`: sum of the turns from the first to the last.
+    bool is_bevel(const Row& row, int first, int last, double together) const {
         const double from = row.steps[first].at, to = row.steps[last].at, width = to - from;
         if (row.steps[first].turn < least_turn || row.steps[last].turn < least_turn) return false;
-        if (!(width > 0.0) || from - beside * width < row.known_from || to + beside * width > row.known_to)
-            return false;
-        double together = 0.0, before = 0.0, after = 0.0, nearest = 0.0;  // nearest: greatest turn within a width
+        if (!(together >= least_together_ - 1e-6 && together <= most_together)) return false;
+        if (!(width > 0.0)) return false;
+        double before = 0.0, after = 0.0, nearest = 0.0;  // nearest: greatest turn within a width
         for (int k = 0; k < static_cast<int>(row.steps.size()); ++k) {
             const auto& step = row.steps[k];
             if (k >= first && k <= last) {
-                together += step.turn;
+                continue;
             } else if (step.at < from && step.at >= from - beside * width) {
                 before += std::abs(step.turn);
             } else if (step.at > to && step.at <= to + beside * width) {
@@ -118,8 +153,8 @@ class Bevels {
         for (int k = 0; k < static_cast<int>(row.steps.size()); ++k)
             if (k < first ? row.steps[k].at >= from - width : k > last && row.steps[k].at <= to + width)
                 nearest = std::max(nearest, std::abs(row.steps[k].turn));
-        return together >= least_together_ - 1e-6 && together <= most_together && before <= most_beside * together &&
-               after <= most_beside * together && nearest < most_like * together / (last - first + 1);
+        return before <= most_beside * together && after <= most_beside * together &&
+               nearest < most_like * together / (last - first + 1);
     }
 
     /// The step at which half of the turn is reached, from the side that faces z more than the other one, else y or x.
@@ -153,6 +188,7 @@ class Bevels {
     const Surface& surface_;
     field::Alongside edges_;
     double least_together_;
+    Array<Step> steps_;  // two per mesh edge, one across each side
 };
 
 }  // namespace

@@ -11,7 +11,7 @@ namespace fovea::raster {
 namespace {
 
 constexpr std::size_t block_triangles = 2048;
-constexpr std::size_t group_blocks = 128;
+constexpr std::size_t group_blocks = 128, group_triangles = 65536;
 
 /// Sign of the screen-space area of back-facing triangles. A mirroring transform flips it.
 double away_sign(const RasterMesh& mesh) { return glm::determinant(dmat3(mesh.object_to_view)) < 0.0 ? 1.0 : -1.0; }
@@ -44,66 +44,66 @@ bool depth_plane(const std::array<dvec4, 3>& corner, dvec3& plane) {
     return std::isfinite(plane.x) && std::isfinite(plane.y) && std::isfinite(plane.z);
 }
 
-/// A triangle in homogeneous texel coordinates, before clipping.
-struct Source {
-    std::array<dvec4, 3> corner;  ///< (x w, y w, depth w, w) in texels
-    Index mesh, triangle;
-};
+dvec2 in_texels(const dvec4& corner) { return dvec2(corner) / corner.w; }
 
-/// Appends the triangle unless it covers no texel center. `clip`: its corners as those of a Source, after near-plane
-/// clipping. `away`: sign of the area of triangles to cull; 0: none.
-void append_on_screen(const std::array<dvec4, 3>& clip, const Source& source, const RasterTarget& target, double away,
-                      const std::array<bool, 3>& of_mesh, std::vector<RasterTriangle>& out) {
-    RasterTriangle t;
-    for (int i = 0; i < 3; ++i) t.corner[i] = dvec2(clip[i]) / clip[i].w;
-    const double area = edge_function(t.corner[0], t.corner[1], t.corner[2]);
-    if (!(area != 0.0) || !std::isfinite(area) || area * away > 0.0) return;
-    const auto [ax, bx, cx] = std::array{t.corner[0].x, t.corner[1].x, t.corner[2].x};
-    const auto [ay, by, cy] = std::array{t.corner[0].y, t.corner[1].y, t.corner[2].y};
-    t.x0 = first_texel(std::min({ax, bx, cx}), target.width);
-    t.x1 = first_texel(std::max({ax, bx, cx}), target.width);
-    t.y0 = first_texel(std::min({ay, by, cy}), target.height);
-    t.y1 = first_texel(std::max({ay, by, cy}), target.height);
-    if (t.x0 >= t.x1 || t.y0 >= t.y1) return;
+/// Texels from which on a triangle's box is not looked through for one that it covers.
+constexpr int few_texels = 8;
+
+bool covers_any(const RasterTriangle& t) {
+    for (int y = t.y0; y < t.y1; ++y)
+        for (int x = t.x0; x < t.x1; ++x)
+            if (t.covers(dvec2(x + 0.5, y + 0.5))) return true;
+    return false;
+}
+
+/// Sets the place of a triangle with these corners, in texels, after near-plane clipping. False if it covers no texel
+/// center, which of large ones is not always known. `away`: sign of the area of triangles to cull; 0: none.
+bool place_on_screen(const std::array<dvec2, 3>& corner, const RasterTarget& target, double away,
+                     const std::array<bool, 3>& of_mesh, RasterTriangle& t) {
+    const double area = edge_function(corner[0], corner[1], corner[2]);
+    if (!(area != 0.0) || !std::isfinite(area) || area * away > 0.0) return false;
+    t.x0 = first_texel(std::min({corner[0].x, corner[1].x, corner[2].x}), target.width);
+    t.x1 = first_texel(std::max({corner[0].x, corner[1].x, corner[2].x}), target.width);
+    if (t.x0 >= t.x1) return false;
+    t.y0 = first_texel(std::min({corner[0].y, corner[1].y, corner[2].y}), target.height);
+    t.y1 = first_texel(std::max({corner[0].y, corner[1].y, corner[2].y}), target.height);
+    if (t.y0 >= t.y1) return false;
+    t.corner = corner;
     t.of_mesh = of_mesh;
     if (area < 0.0) {
         std::swap(t.corner[1], t.corner[2]);
         std::swap(t.of_mesh[0], t.of_mesh[2]);
     }
-    if (!depth_plane(source.corner, t.plane)) return;
-    t.mesh = source.mesh;
-    t.triangle = source.triangle;
-    out.push_back(t);
+    return (t.x1 - t.x0) * (t.y1 - t.y0) >= few_texels || covers_any(t);
 }
 
-/// Clips the triangle at the near plane (depth <= 1) and appends the result, at most two triangles.
-void append_clipped(const Source& source, const RasterTarget& target, double away, std::vector<RasterTriangle>& out) {
-    const std::array<dvec4, 3>& corner = source.corner;
-    std::array<double, 3> inside;
-    int kept = 0;
-    for (int i = 0; i < 3; ++i) {
-        inside[i] = corner[i].w - corner[i].z;
-        kept += inside[i] >= 0.0;
-    }
-    if (kept == 0) return;
-    if (kept == 3) return append_on_screen(corner, source, target, away, {true, true, true}, out);
-    std::array<dvec4, 4> polygon;
+/// Appends a triangle that is placed. `source`: its corners before clipping, (x w, y w, depth w, w) in texels.
+void append(RasterTriangle& placed, const std::array<dvec4, 3>& source, std::vector<RasterTriangle>& out) {
+    if (depth_plane(source, placed.plane)) out.push_back(placed);
+}
+
+/// Clips a triangle at the near plane (depth <= 1) and appends the result, at most two triangles. `inside`: per corner,
+/// w - depth w. `placed`: its mesh and number.
+void append_clipped(const std::array<dvec4, 3>& corner, const std::array<double, 3>& inside, const RasterTarget& target,
+                    double away, RasterTriangle placed, std::vector<RasterTriangle>& out) {
+    std::array<dvec2, 4> polygon;
     std::array<bool, 4> of_mesh;  // per edge, from each corner to the next
     int count = 0;
     for (int i = 0; i < 3; ++i) {
         const int j = (i + 1) % 3;
         if (inside[i] >= 0.0) {
             of_mesh[count] = true;
-            polygon[count++] = corner[i];
+            polygon[count++] = in_texels(corner[i]);
         }
         if ((inside[i] >= 0.0) != (inside[j] >= 0.0)) {
             of_mesh[count] = inside[i] < 0.0;
-            polygon[count++] = glm::mix(corner[i], corner[j], inside[i] / (inside[i] - inside[j]));
+            polygon[count++] = in_texels(glm::mix(corner[i], corner[j], inside[i] / (inside[i] - inside[j])));
         }
     }
     for (int i = 2; i < count; ++i)
-        append_on_screen({polygon[0], polygon[i - 1], polygon[i]}, source, target, away,
-                         {i == 2 && of_mesh[0], of_mesh[i - 1], i + 1 == count && of_mesh[i]}, out);
+        if (place_on_screen({polygon[0], polygon[i - 1], polygon[i]}, target, away,
+                            {i == 2 && of_mesh[0], of_mesh[i - 1], i + 1 == count && of_mesh[i]}, placed))
+            append(placed, corner, out);
 }
 
 /// Unit of work: triangles [begin, end) of one mesh.
@@ -131,7 +131,7 @@ void check_vertices(const RasterMesh& mesh, const Block& block) {
     check(highest < mesh.positions.size(), name_of(block.mesh) + "triangle refers to a missing vertex");
 }
 
-/// Vertices of a mesh in texels, homogeneous. Most are asked for again soon, and are not computed again then.
+/// Vertices of a mesh in texels. Most are asked for again soon, and are not computed again then.
 class Vertices {
    public:
     /// `asks`: how often vertices will be asked for.
@@ -140,18 +140,24 @@ class Vertices {
         for (std::size_t i = 0; i <= last_; ++i) kept_[i].vertex = none;
     }
 
-    const dvec4& at(Index vertex) {
+    struct Kept {
+        Index vertex;
+        double inside;  ///< w - depth w: not negative beyond the near plane
+        dvec2 texel;
+        dvec4 place;  ///< homogeneous
+    };
+
+    const Kept& at(Index vertex) {
         Kept& kept = kept_[vertex & last_];
-        if (kept.vertex != vertex) kept = {vertex, to_texels_ * dvec4(positions_[vertex], 1.0)};
-        return kept.place;
+        if (kept.vertex != vertex) {
+            const dvec4 place = to_texels_ * dvec4(positions_[vertex], 1.0);
+            kept = {vertex, place.w - place.z, in_texels(place), place};
+        }
+        return kept;
     }
 
    private:
     static constexpr std::size_t most = 512;
-    struct Kept {
-        Index vertex;
-        dvec4 place;
-    };
     In<vec3> positions_;
     dmat4 to_texels_;
     std::size_t last_;
@@ -170,9 +176,25 @@ void append_triangles(In<RasterMesh> meshes, const Block& block, const RasterTar
                       3 * (block.end - block.begin));
     const double away = away_sign(mesh);
     for (std::size_t i = block.begin; i < block.end; ++i) {
-        Source source{{}, block.mesh, static_cast<Index>(i)};
-        for (int k = 0; k < 3; ++k) source.corner[k] = vertices.at(mesh.triangles[i][k]);
-        append_clipped(source, target, i < mesh.one_sided_from ? 0.0 : away, out);
+        const glm::uvec3& of = mesh.triangles[i];
+        std::array<double, 3> inside;
+        std::array<dvec2, 3> texel;
+        for (int k = 0; k < 3; ++k) {
+            const Vertices::Kept& vertex = vertices.at(of[k]);
+            inside[k] = vertex.inside;
+            texel[k] = vertex.texel;
+        }
+        const auto kept = std::ranges::count_if(inside, [](double of_corner) { return of_corner >= 0.0; });
+        const double cull = i < mesh.one_sided_from ? 0.0 : away;
+        RasterTriangle placed;
+        if (kept == 0 || (kept == 3 && !place_on_screen(texel, target, cull, {true, true, true}, placed))) continue;
+        placed.mesh = block.mesh;
+        placed.triangle = static_cast<Index>(i);
+        const std::array<dvec4, 3> corner{vertices.at(of[0]).place, vertices.at(of[1]).place, vertices.at(of[2]).place};
+        if (kept == 3)
+            append(placed, corner, out);
+        else
+            append_clipped(corner, inside, target, cull, placed, out);
     }
 }
 
@@ -251,9 +273,11 @@ void draw_triangles(const RasterTarget& target, In<RasterMesh> meshes, const Can
     const std::vector<Block> blocks = divide(meshes);
     const int bands = (target.height + raster_band_rows - 1) / raster_band_rows;
     // Groups bound the memory. Groups, and the triangles in them, are processed in input order.
-    for (std::size_t start = 0; start < blocks.size(); start += group_blocks) {
+    for (std::size_t start = 0, stop = 0; start < blocks.size(); start = stop) {
         if (cancel) cancel->poll();
-        std::vector<Binned> binned(std::min(group_blocks, blocks.size() - start));
+        for (std::size_t count = 0; stop < std::min(blocks.size(), start + group_blocks) && count < group_triangles;)
+            count += blocks[stop].end - blocks[stop].begin, ++stop;
+        std::vector<Binned> binned(stop - start);
         const auto bin = [&](std::size_t i) { binned[i] = bin_block(meshes, blocks[start + i], target, bands); };
         parallel_for(binned.size(), 1, bin);
         parallel_for(bands, 1, [&](std::size_t band) {

@@ -50,20 +50,22 @@ struct Volumes {
 struct Interval {
     Four low = four(infinity), high = four(-infinity);
 
-    /// `volumes`: of its corners over the other triangle. `at`: places of the corners along the direction.
-    Interval(const Volumes& volumes, const Four (&at)[3]) {
+    /// `volumes`: of its corners over the other triangle. `at`: places of the corners along the direction. `common`:
+    /// which corners the other triangle has, too; their sides are left out.
+    Interval(const Volumes& volumes, const Four (&at)[3], const FourInts (&common)[3]) {
         const Four& room = volumes.room;
         for (int i = 0; i < 3; ++i) {
             const int j = (i + 1) % 3;
             const Four from = volumes.of[i], to = volumes.of[j], along = at[j] - at[i];
-            const FourInts same_side = ((from > room) & (to > room)) | ((from < -room) & (to < -room));
+            const FourInts left_out =
+                ((from > room) & (to > room)) | ((from < -room) & (to < -room)) | common[i] | common[j];
             // Both volumes are uncertain by `room`: the share is by less than 4 room / fall, where that is below 1.
             const Four fall = from - to, size = greater(abs(fall), four(smallest));
             const Four share = lesser(abs(from) / size, four(1.0f));
             const Four uncertain = lesser(4.0f * room / size, four(2.0f)) * abs(along);
             const Four middle = at[i] + share * along;
-            low = lesser(low, same_side ? four(infinity) : middle - uncertain);
-            high = greater(high, same_side ? four(-infinity) : middle + uncertain);
+            low = lesser(low, left_out ? four(infinity) : middle - uncertain);
+            high = greater(high, left_out ? four(-infinity) : middle + uncertain);
         }
     }
 };
@@ -113,13 +115,21 @@ unsigned FourPlanes::may_cross(unsigned lanes, const FourTriangles& others, int 
     if (lanes == 0) return 0;
 
     const Vectors line = cross(normal_, normal);
-    const Interval cut_of_other(over_ours, {four(0.0f), dot(line, first), dot(line, second)});
-    const Interval cut_of_ours(over_other, {dot(line, offset[0]), dot(line, offset[1]), dot(line, offset[2])});
+    const Four at_other[3] = {four(0.0f), dot(line, first), dot(line, second)};
+    const Four at_ours[3] = {dot(line, offset[0]), dot(line, offset[1]), dot(line, offset[2])};
+    const Interval cut_of_other(over_ours, at_other, of_others), cut_of_ours(over_other, at_ours, of_ours);
     const Four sum = abs(line.x[0]) + abs(line.x[1]) + abs(line.x[2]);
     const Four room = sum * (0x1p-19f * greater(longest, over_other.farthest) + 4.0f * error_) + smallest;
     const FourInts finite = (room < greatest) & (over_ours.room < greatest) & (over_other.room < greatest);
-    return lanes & ~bits(finite &
-                         ((cut_of_other.high + room < cut_of_ours.low) | (cut_of_ours.high + room < cut_of_other.low)));
+    FourInts apart = (cut_of_other.high + room < cut_of_ours.low) | (cut_of_ours.high + room < cut_of_other.low);
+    if (within_) {
+        // From a common corner both cuts go as far as the side opposite to it: apart, if into opposite directions.
+        const Four at = of_others[0] ? at_other[0] : of_others[1] ? at_other[1] : at_other[2];
+        const FourInts opposite = ((cut_of_other.high + room < at) & (cut_of_ours.low - room > at)) |
+                                  ((cut_of_ours.high + room < at) & (cut_of_other.low - room > at));
+        apart = common == 0 ? apart : opposite;
+    }
+    return lanes & ~bits(finite & apart);
 }
 
 }  // namespace fovea::scene

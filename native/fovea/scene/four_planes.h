@@ -21,7 +21,8 @@ class FourPlanes {
     /// Of the triangles whose bits are set in `lanes`, those that may cross triangle `lane` of `others`. The rest does
     /// not, wherever in the bounds of the errors the corners are: all corners of one that are not the other's, too, are
     /// on one side of the other's plane, or what the two cut from the line in which their planes meet is apart (Möller,
-    /// "A Fast Triangle-Triangle Intersection Test", 1997). With `within`, nor do those with a side in common.
+    /// "A Fast Triangle-Triangle Intersection Test", 1997). With `within`, nor do those with a side in common, or whose
+    /// cuts go apart from a common corner.
     unsigned may_cross(unsigned lanes, const FourTriangles& others, int lane) const;
 
    private:

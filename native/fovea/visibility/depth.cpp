@@ -162,8 +162,12 @@ double depth_reach(const Scene& scene, const View& view, double margin) {
 }
 
 std::vector<RasterMesh> depth_meshes(const Scene& scene, const View& view, double margin) {
+    return depth_meshes(scene, occluders(scene, view, margin));
+}
+
+std::vector<RasterMesh> depth_meshes(const Scene& scene, In<Occluder> occluders) {
     std::vector<RasterMesh> meshes;
-    for (const Occluder& occluder : occluders(scene, view, margin)) {
+    for (const Occluder& occluder : occluders) {
         const Surface& surface = *scene.placements[occluder.placement].surface;
         meshes.push_back({surface.positions, In<glm::uvec3>(surface.triangles).first(surface.occluding_triangles),
                           In<Index>(surface.triangle_facet).first(surface.occluding_triangles), occluder.object_to_view,

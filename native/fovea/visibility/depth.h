@@ -82,6 +82,7 @@ std::vector<Occluder> occluders(const Scene& scene, const View& view, double mar
 double depth_reach(const Scene& scene, const View& view, double margin);
 
 /// Triangles of the occluders, borrowed from the scene.
+std::vector<RasterMesh> depth_meshes(const Scene& scene, In<Occluder> occluders);
 std::vector<RasterMesh> depth_meshes(const Scene& scene, const View& view, double margin);
 
 /// Rasterizes triangles into a layout (depth_layout, or a tile). They are clipped at the near plane, not at the far
