@@ -80,10 +80,10 @@ TEST(Tracer, OccluderIsTheNearestThatHides) {
 
 TEST(Tracer, ContinuesBehindIsWhetherTheNearestSurfaceBehindIsOfTheSameOutline) {
     std::vector<Placement> placements;
-    const auto surface = sphere(16).surface();
+    const auto small = box().surface(), large = sphere(16).surface();
     for (int i = 0; i < 40; ++i) {
         const dvec3 middle(2 * std::sin(3.1 * i), 2 * std::cos(1.7 * i), -8 + 3 * std::sin(2.3 * i));
-        placements.push_back({surface, moved(middle), std::uint64_t(i + 1)});
+        placements.push_back({i % 2 ? small : large, moved(middle), std::uint64_t(i + 1)});
         if (i % 4 == 0) placements.back().group = 1 + i % 3;
         if (i % 11 == 0) placements.back().usage = usage_draw;
     }

@@ -74,9 +74,11 @@ std::optional<Hit> Tracer::behind(const vec3& point, const Ignore& ignore) const
 }
 
 bool Tracer::continues_behind(const vec3& point, const Ignore& ignore, Index placement) const {
-    const auto nearest = scene_.placements[placement].group == 0
-                             ? bvh_->trace_if_of(placement, ray_beyond(point), ignore)
-                             : bvh_->trace(ray_beyond(point), ignore);
+    constexpr Index few = 256;  // triangles that are asked in less time than other placements take to pass
+    const Placement& own = scene_.placements[placement];
+    const bool asked_first = own.group == 0 && own.surface->occluding_triangles <= few;
+    const auto nearest = asked_first ? bvh_->trace_if_of(placement, ray_beyond(point), ignore)
+                                     : bvh_->trace(ray_beyond(point), ignore);
     return nearest && scene_.share_outline(nearest->placement, placement);
 }
 
