@@ -77,8 +77,8 @@ bool Tracer::continues_behind(const vec3& point, const Ignore& ignore, Index pla
     constexpr Index few = 256;  // triangles that are asked in less time than other placements take to pass
     const Placement& own = scene_.placements[placement];
     const bool asked_first = own.group == 0 && own.surface->occluding_triangles <= few;
-    const auto nearest = asked_first ? bvh_->trace_if_of(placement, ray_beyond(point), ignore)
-                                     : bvh_->trace(ray_beyond(point), ignore);
+    const auto nearest =
+        asked_first ? bvh_->trace_if_of(placement, ray_beyond(point), ignore) : bvh_->trace(ray_beyond(point), ignore);
     return nearest && scene_.share_outline(nearest->placement, placement);
 }
 
