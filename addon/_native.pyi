@@ -1251,7 +1251,7 @@ class Frame:
         view: View,
         style: style.Style,
         *,
-        options: Options=Options(visibility='exact', sample_step=2.0, depth_scale=2, probes=9, layers=3, gap=3.0, spur=1.0, contour_spur=10.0, fold=30.0, tip=6.0, joint=2.0, meet=8.0, beside=4.0, least_hidden=6.0, outlines=(), focus_step=1, with_depth=False, with_focus=False),
+        options: Options=Options(visibility='exact', sample_step=2.0, depth_scale=2, probes=9, layers=3, gap=3.0, spur=1.0, contour_spur=10.0, fold=30.0, tip=6.0, joint=2.0, meet=8.0, beside=4.0, least_hidden=6.0, outlines=(), all_paths=False, focus_step=1, with_depth=False, with_focus=False),
         assets: Assets | None=None,
         backend: Backend | None=None,
         overrides: Overrides | None=None,
@@ -1386,6 +1386,8 @@ class Options:
     def least_hidden(self) -> float: ...
     @property
     def outlines(self) -> tuple[tuple[int, list[str]], ...]: ...
+    @property
+    def all_paths(self) -> bool: ...
     @property
     def focus_step(self) -> int: ...
     @property
