@@ -93,6 +93,25 @@ FourTriangles four_of(const Triangles& triangles, std::size_t first) {
     return four;
 }
 
+/// Counts of pairs of triangles, the first four with the last four.
+struct Counted {
+    int crossing = 0, kept = 0, all = 0;
+
+    /// `planes`, `others`: of the first four, and of the last. None that cross is passed over.
+    void add(const FourPlanes& planes, const FourTriangles& others, const Triangles& triangles) {
+        for (int j = 0; j < 4; ++j) {
+            const unsigned may = planes.may_cross(15u, others, j);
+            for (int i = 0; i < 4; ++i) {
+                const bool cross = surely_cross(triangles[i], triangles[4 + j]);
+                EXPECT_TRUE(!cross || (may >> i & 1u));
+                crossing += cross;
+                kept += may >> i & 1u;
+                ++all;
+            }
+        }
+    }
+};
+
 }  // namespace
 
 TEST(TriangleTree, AllTrianglesWhoseBoxesOverlapMeet) {
@@ -135,27 +154,19 @@ TEST(TriangleTree, WithinASurfaceEveryPairMeetsOnce) {
 TEST(FourPlanes, NoneThatCrossIsPassedOverAndMostOthersAre) {
     std::mt19937 random(5);
     for (const double scale : {1e-30, 1e-15, 1e-6, 1.0, 1e6, 1e15}) {
-        int crossing = 0, kept = 0, all = 0;
+        SCOPED_TRACE(scale);
+        Counted counted;
         for (int round = 0; round < 2000; ++round) {
             Triangles triangles = any_triangles(random, 8, 1.0);
             for (auto& t : triangles)
                 for (dvec3& corner : t) corner = dvec3(vec3(scale * corner));
             const FourTriangles ours = four_of(triangles, 0), others = four_of(triangles, 4);
-            const FourPlanes planes(ours, 0.0f, false);
-            for (int j = 0; j < 4; ++j) {
-                const unsigned may = planes.may_cross(15u, others, j);
-                for (int i = 0; i < 4; ++i) {
-                    const bool cross = surely_cross(triangles[i], triangles[4 + j]);
-                    EXPECT_TRUE(!cross || (may >> i & 1u)) << scale;
-                    crossing += cross;
-                    kept += may >> i & 1u;
-                    ++all;
-                }
-            }
+            counted.add(FourPlanes(ours, 0.0f, false), others, triangles);
         }
-        EXPECT_GT(crossing, all / 20);
+        EXPECT_GT(counted.crossing, counted.all / 20);
         // Elsewhere products of lengths leave the range of single precision.
-        EXPECT_TRUE(scale < 1e-6 || scale > 1e6 || kept < 1.001 * crossing) << scale << ": " << kept;
+        EXPECT_TRUE(scale < 1e-6 || scale > 1e6 || counted.kept < 1.001 * counted.crossing)
+            << scale << ": " << counted.kept;
     }
 }
 
@@ -197,7 +208,7 @@ TEST(FourPlanes, NeighborsAtASmoothVertexDoNotCrossAndThoseOfAFoldMay) {
 
 TEST(FourPlanes, TrianglesWhoseCutsGoApartFromACommonCornerAreLeftOut) {
     std::mt19937 random(7);
-    int crossing = 0, kept = 0, all = 0;
+    Counted counted;
     for (int round = 0; round < 5000; ++round) {
         Triangles triangles = any_triangles(random, 8, 1.0);
         for (auto& t : triangles) {
@@ -207,20 +218,10 @@ TEST(FourPlanes, TrianglesWhoseCutsGoApartFromACommonCornerAreLeftOut) {
         Triangles turned = triangles;  // the common corner is any of theirs
         for (std::size_t i = 0; i < 8; ++i) std::ranges::rotate(turned[i], turned[i].begin() + (round + i * i) % 3);
         const FourTriangles ours = four_of(turned, 0), others = four_of(turned, 4);
-        const FourPlanes planes(ours, 0.0f, true);
-        for (int j = 0; j < 4; ++j) {
-            const unsigned may = planes.may_cross(15u, others, j);
-            for (int i = 0; i < 4; ++i) {
-                const bool cross = surely_cross(triangles[i], triangles[4 + j]);
-                EXPECT_TRUE(!cross || (may >> i & 1u));
-                crossing += cross;
-                kept += may >> i & 1u;
-                ++all;
-            }
-        }
+        counted.add(FourPlanes(ours, 0.0f, true), others, triangles);
     }
-    EXPECT_GT(crossing, all / 20);
-    EXPECT_LT(kept, 1.01 * crossing);
+    EXPECT_GT(counted.crossing, counted.all / 20);
+    EXPECT_LT(counted.kept, 1.01 * counted.crossing);
 }
 
 TEST(BoxTree, FindsWhatMeetsAnEndlessBoxAndNothingElse) {

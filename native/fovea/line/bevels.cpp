@@ -140,11 +140,8 @@ class Bevels {
         if (!(together >= least_together_ - 1e-6 && together <= most_together)) return false;
         if (!(width > 0.0)) return false;
         double before = 0.0, after = 0.0, nearest = 0.0;  // nearest: greatest turn within a width
-        for (int k = 0; k < static_cast<int>(row.steps.size()); ++k) {
-            const auto& step = row.steps[k];
-            if (k >= first && k <= last) {
-                continue;
-            } else if (step.at < from && step.at >= from - beside * width) {
+        for (const Row::Step& step : row.steps) {
+            if (step.at < from && step.at >= from - beside * width) {
                 before += std::abs(step.turn);
             } else if (step.at > to && step.at <= to + beside * width) {
                 after += std::abs(step.turn);

@@ -135,14 +135,10 @@ struct Asked {
                             static_cast<std::uint64_t>(surface->shape()))) {}
 };
 
-/// In at most 256 blocks, the Paths to which write(paths, i) appends for each i, of a `write` that make() gives for
-/// each block; independent of the number of threads.
-template <typename Make>
-std::vector<Paths> in_parts(std::size_t count, const Make& make) {
-    return parallel_parts<Paths>(count, count / 256 + 1, [&](Paths& part, std::size_t begin, std::size_t end) {
-        auto write = make();
-        for (std::size_t i = begin; i < end; ++i) write(part, i);
-    });
+/// The Paths that append(part, begin, end) appends to for at most 256 blocks; independent of the number of threads.
+template <typename Append>
+std::vector<Paths> in_parts(std::size_t count, const Append& append) {
+    return parallel_parts<Paths>(count, count / 256 + 1, append);
 }
 
 }  // namespace
@@ -163,10 +159,11 @@ Paths extract_paths(const Scene& scene, const View& view, const std::vector<Line
         });
 
     const bool alike = !varies_by_placement(sets, own);
-    std::vector<Paths> parts = in_parts(drawn.size(), [&] {
-        return [&, appender = Appender(scene, view, least_px), asked = Asked()](Paths& part, std::size_t i) mutable {
+    std::vector<Paths> parts = in_parts(drawn.size(), [&](Paths& part, std::size_t begin, std::size_t end) {
+        Appender appender(scene, view, least_px);
+        Asked asked;
+        for (const Index placement : In<Index>(drawn).subspan(begin, end - begin)) {
             cancel.poll();
-            const Index placement = drawn[i];
             const Placement& placed = scene.placements[placement];
             const auto surface = as_placed(placed.surface, placed.object_to_world);
             if (!alike || asked.surface != surface) asked = {surface, sets_of(placement, *surface, sets, own)};
@@ -178,22 +175,20 @@ Paths extract_paths(const Scene& scene, const View& view, const std::vector<Line
             }
             for (const FoundCurves& c : *found.kept_curves) appender.append(placement, c, false, part);
             for (const FoundCurves& c : found.seen_curves) appender.append(placement, c, true, part);
-        };
+        }
     });
-    const auto append = [&](std::size_t count, bool changes, const auto& placement, const auto& curves) {
-        auto more = in_parts(count, [&] {
-            return [&, appender = Appender(scene, view, least_px)](Paths& part, std::size_t i) mutable {
-                appender.append(placement(i), curves(i), changes, part);
-            };
+    const auto take = [&](const std::vector<std::pair<Index, FoundCurves>>& found, bool changes) {
+        auto more = in_parts(found.size(), [&](Paths& part, std::size_t begin, std::size_t end) {
+            Appender appender(scene, view, least_px);
+            for (std::size_t i = begin; i < end; ++i) appender.append(found[i].first, found[i].second, changes, part);
         });
         std::ranges::move(more, std::back_inserter(parts));
     };
-    const std::vector<FoundCurves> in_image = find_curves_in_image(sets, tracer, cancel);
-    const auto of_scene = find_curves_in_scene(scene, drawn, sets, own, cancel);
-    append(in_image.size(), true, [](std::size_t) { return none; }, [&](std::size_t i) { return in_image[i]; });
-    append(
-        of_scene.size(), false, [&](std::size_t i) { return of_scene[i].first; },
-        [&](std::size_t i) { return of_scene[i].second; });
+    std::vector<std::pair<Index, FoundCurves>> in_image;
+    for (FoundCurves& curves : find_curves_in_image(sets, tracer, cancel))
+        in_image.emplace_back(none, std::move(curves));
+    take(in_image, true);
+    take(find_curves_in_scene(scene, drawn, sets, own, cancel), false);
     return join(parts);
 }
 
