@@ -48,7 +48,7 @@ struct Profile {
 /// Where the bevels' edges are in the profile, one entry for each edge.
 std::vector<int> middles(const Profile& profile, double angle = 30.0) {
     const auto surface = profile.mesh().surface();
-    const auto on = line::find_bevels(*surface, angle);
+    const auto on = line::find_bevels(field::FacetEdges(*surface), angle);
     const Index across = Index(profile.lengths.size() + 1);
     std::vector<int> found;
     for (Index e = 0; e < on.size(); ++e)

@@ -22,7 +22,9 @@ using Ends = std::set<std::pair<Index, Index>>;
 /// Pairs of vertices, the lesser first.
 Ends folds(const Mesh& mesh, double least = 0.0, Shape shape = Shape::rounded, double angle = 30.0) {
     const auto surface = mesh.surface();
-    const auto on = line::find_folds(*surface, shape, angle, least);
+    std::function<double()> shortest;
+    if (least > 0.0) shortest = [&] { return least; };
+    const auto on = line::find_folds(field::FacetEdges(*surface), shape, angle, shortest);
     Ends found;
     for (Index e = 0; e < on.size(); ++e)
         if (on[e]) found.insert(std::minmax(surface->edges[e].x, surface->edges[e].y));
@@ -81,7 +83,8 @@ TEST(Turns, AlongsideARegularTubeAreThoseOfItsEdgesHoweverItIsSplitAndFaces) {
     for (const int n : {3, 8, 40})
         for (const Mesh& mesh : {cylinder(n), inside_out(cylinder(n)), in_triangles(cylinder(n))}) {
             const auto surface = mesh.surface();
-            const Turns turns(*surface);
+            const field::FacetEdges edges(*surface);
+            const Turns turns(edges);
             const double sign = mesh.corner_verts == inside_out(cylinder(n)).corner_verts ? -1.0 : 1.0;
             for (Index e = 0; e < surface->mesh_edges; ++e) {
                 if (surface->edge_rows.size(e) != 2 || std::abs(turns[e]) < 1e-3) continue;
@@ -94,7 +97,8 @@ TEST(Turns, AlongsideARegularTubeAreThoseOfItsEdgesHoweverItIsSplitAndFaces) {
 
 TEST(Turns, AlongsideAreTheMeanOfBothSidesAndOfOneWay) {
     const auto surface = extruded({20, 40, -50}).surface();
-    const Turns turns(*surface);
+    const field::FacetEdges edges(*surface);
+    const Turns turns(edges);
     const auto across = [&](Index v) {  // the first edge in y at the outline's vertex
         for (Index e = 0; e < surface->mesh_edges; ++e)
             if (surface->edges[e] == Edge{v, v + 5} || surface->edges[e] == Edge{v + 5, v}) return e;
@@ -126,7 +130,8 @@ Mesh floor_with_seam(int count) {
 
 TEST(Turns, BesidePolygonsWithALongCommonSeamAreFoundInAFewSteps) {
     const auto surface = floor_with_seam(20000).surface();  // to look out of both again and again takes its cube
-    const Turns turns(*surface);
+    const field::FacetEdges edges(*surface);
+    const Turns turns(edges);
     const auto wall = Index(std::ranges::find(surface->edges, Edge(1, 0)) - surface->edges.begin());
     EXPECT_NEAR(std::abs(turns[wall]), std::numbers::pi / 2.0, 1e-6);
     EXPECT_EQ(turns.parallel(wall), 0.0);
@@ -167,7 +172,8 @@ TEST(Folds, StartInGroovesAThirdSharperThanTheyGoOn) {
     const Mesh deepening =
         relief(n, [](double x, double y) { return std::abs(x) * std::tan(glm::radians(17.5 + 5.0 * y)); });
     const auto surface = deepening.surface();
-    const Turns turns(*surface);
+    const field::FacetEdges edges(*surface);
+    const Turns turns(edges);
     Ends deep;
     int starts = 0;
     for (Index e = 0; e < surface->mesh_edges; ++e)
@@ -188,6 +194,18 @@ TEST(Folds, OfThreeEdgesInGroovesAreKeptHoweverShort) {
         EXPECT_EQ(folds(groove, 1e3).size(), edges < 3 ? 0u : std::size_t(edges));
         EXPECT_TRUE(folds(groove, 1e3, Shape::smooth).empty());
     }
+}
+
+TEST(Folds, AskForTheLeastLengthOnceIfAnyDependsOnItElseNever) {
+    const auto asked = [](const Mesh& mesh) {
+        const auto surface = mesh.surface();
+        int times = 0;
+        line::find_folds(field::FacetEdges(*surface), Shape::rounded, 30.0, [&] { return ++times, 1e-3; });
+        return times;
+    };
+    EXPECT_EQ(asked(extruded({5, 60, 5}, 8)), 1);
+    EXPECT_EQ(asked(extruded({5, 5, 5}, 8)), 0);   // no folds
+    EXPECT_EQ(asked(extruded({5, 60, 5}, 1)), 0);  // of one edge, which is left out whatever its length
 }
 
 TEST(Folds, AreThoseOfTheShapeWhateverItsSizePlaceAndOrder) {

@@ -2,44 +2,54 @@
 #include <fovea/base/large_memory.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cstdint>
 #include <cstdlib>
-#include <iterator>
+#include <deque>
 #include <mutex>
 #include <new>
-#include <vector>
 
 namespace fovea::base {
 
 namespace {
 
-struct Block {
-    void* start;
-    std::size_t size;
-};
+/// Size of the block for an array: at most a quarter larger, so that arrays of similar size serve each other. What is
+/// not touched takes no memory.
+std::size_t size_class(std::size_t bytes) {
+    const std::size_t step = std::bit_floor(bytes) / 4;
+    return (bytes + step - 1) / step * step;
+}
+
+/// Number of a size of size_class: four for each power of two.
+std::size_t number_of(std::size_t size) {
+    const std::size_t power = std::bit_floor(size);
+    return 4 * std::size_t(std::countr_zero(power)) + size / (power / 4) - 4;
+}
 
 /// Freed blocks, kept for later arrays.
 class Freed {
    public:
-    Freed() { blocks_.reserve(keeps_large_memory / large_memory + 1); }
-
     /// The block of this size that was freed last; null if there is none.
     void* take(std::size_t size) {
         const std::lock_guard lock(mutex_);
-        const auto found = std::ranges::find(blocks_.rbegin(), blocks_.rend(), size, &Block::size);
-        if (found == blocks_.rend()) return nullptr;
-        void* const start = found->start;
-        blocks_.erase(std::next(found).base());
+        std::deque<Block>& alike = of_size_[number_of(size)];
+        if (alike.empty()) return nullptr;
+        void* const start = alike.back().start;
+        alike.pop_back();
         kept_ -= size;
         return start;
     }
 
     /// The oldest blocks make room for it.
-    void give(Block block) noexcept {
+    void give(void* start, std::size_t size) noexcept {
         const std::lock_guard lock(mutex_);
-        blocks_.push_back(block);
-        kept_ += block.size;
+        try {
+            of_size_[number_of(size)].push_back({start, size, ++freed_});
+            kept_ += size;
+        } catch (const std::bad_alloc&) {
+            std::free(start);
+        }
         shrink(keeps_large_memory);
     }
 
@@ -54,29 +64,34 @@ class Freed {
     }
 
    private:
+    struct Block {
+        void* start;
+        std::size_t size;
+        std::uint64_t at;  ///< how many were freed by then
+
+        static std::uint64_t first_at(const std::deque<Block>& alike) {
+            return alike.empty() ? UINT64_MAX : alike.front().at;
+        }
+    };
+
     void shrink(std::size_t most) noexcept {
         while (kept_ > most) {
-            std::free(blocks_.front().start);
-            kept_ -= blocks_.front().size;
-            blocks_.erase(blocks_.begin());
+            std::deque<Block>& alike = *std::ranges::min_element(of_size_, {}, &Block::first_at);
+            std::free(alike.front().start);
+            kept_ -= alike.front().size;
+            alike.pop_front();
         }
     }
 
     std::mutex mutex_;
-    std::vector<Block> blocks_;  // the oldest first; never more than were reserved
+    std::array<std::deque<Block>, 4 * 8 * sizeof(std::size_t)> of_size_;  // by number_of; the oldest first
+    std::uint64_t freed_ = 0;
     std::size_t kept_ = 0;
 };
 
 Freed& freed() {
     static auto* const blocks = new Freed;  // outlives all arrays
     return *blocks;
-}
-
-/// Size of the block for an array: at most a quarter larger, so that arrays of similar size serve each other. What is
-/// not touched takes no memory.
-std::size_t size_class(std::size_t bytes) {
-    const std::size_t step = std::bit_floor(bytes) / 4;
-    return (bytes + step - 1) / step * step;
 }
 
 }  // namespace
@@ -91,7 +106,7 @@ void* allocate_large(std::size_t bytes) {
     throw std::bad_alloc();
 }
 
-void free_large(void* memory, std::size_t bytes) noexcept { freed().give({memory, size_class(bytes)}); }
+void free_large(void* memory, std::size_t bytes) noexcept { freed().give(memory, size_class(bytes)); }
 
 std::size_t large_memory_kept() { return freed().kept(); }
 

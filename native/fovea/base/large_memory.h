@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Memory of large arrays, such as images.
+// Memory of large arrays: images, and what is computed of surfaces and lines.
 #pragma once
 
 #include <cstddef>
@@ -14,8 +14,10 @@
 
 namespace fovea::base {
 
-/// Bytes from which arrays take memory here instead of from the heap.
-inline constexpr std::size_t large_memory = std::size_t(4) << 20;
+/// Bytes from which arrays take memory here instead of from the heap. Not more than oneTBB's heap takes for large,
+/// which Blender has on some systems: it gives Blender's own images back to the system, so that each picture takes them
+/// anew, page by page, where some hundred large blocks were taken and freed since.
+inline constexpr std::size_t large_memory = 8000;
 
 /// Bytes of freed memory that are kept for the next arrays; 0: they take all from the heap.
 #ifdef FOVEA_LARGE_MEMORY_IN_HEAP
@@ -27,7 +29,7 @@ inline constexpr std::size_t keeps_large_memory = std::size_t(256) << 20;
 /// Whether an array of so many bytes takes its memory here.
 constexpr bool is_large(std::size_t bytes) { return keeps_large_memory > 0 && bytes >= large_memory; }
 
-/// Uninitialized memory, aligned for any type. Every frame needs the same images, and a heap returns such blocks to the
+/// Uninitialized memory, aligned for any type. Every frame needs the same arrays, and a heap returns large blocks to the
 /// system, which clears each page again when it is touched: so freed blocks are kept for later ones of similar size.
 /// Thread-safe. Throws std::bad_alloc.
 void* allocate_large(std::size_t bytes);

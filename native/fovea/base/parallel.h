@@ -74,8 +74,8 @@ std::vector<Part> parallel_parts(std::size_t count, std::size_t size, const Fill
 template <typename T, typename Body>
 Array<T> parallel_collect(std::size_t count, std::size_t size, const Body& body) {
     Array<T> all;
-    const auto fill = [&](std::vector<T>& part, std::size_t begin, std::size_t end) { body(begin, end, part); };
-    for (const auto& part : parallel_parts<std::vector<T>>(count, size, fill))
+    const auto fill = [&](Array<T>& part, std::size_t begin, std::size_t end) { body(begin, end, part); };
+    for (const auto& part : parallel_parts<Array<T>>(count, size, fill))
         all.insert(all.end(), part.begin(), part.end());
     return all;
 }

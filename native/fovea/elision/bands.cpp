@@ -219,7 +219,7 @@ std::vector<Index> runs_to_draw(const ClippedPaths& clipped, const Runs& runs, I
     });
     parallel_sort(candidates.begin(), candidates.end(),
                   [](const Candidate& a, const Candidate& b) { return a.order() < b.order(); });
-    std::vector<Candidate> chosen;
+    Array<Candidate> chosen;
     std::size_t alike = 0;
     for (std::size_t k = 0; k < candidates.size(); ++k) {
         const bool again = k > 0 && candidates[k].band == candidates[k - 1].band;

@@ -5,22 +5,15 @@
 #include <algorithm>
 #include <cmath>
 
-#include <fovea/base/parallel.h>
-#include <fovea/field/turn.h>
+#include <fovea/field/facet_edges.h>
 
 namespace fovea::field {
 
 class Alongside {
    public:
-    explicit Alongside(const Surface& surface)
-        : surface_(surface), turn_(parallel_map<float>(surface.edges.size(), [&](std::size_t e) {
-              return static_cast<float>(signed_turn(surface, static_cast<Index>(e)));
-          })) {
-        of_facet_ = lists_of<Index>(surface.facet_count(), [&](const auto& give) {
-            for (Index e = 0; e < surface.edges.size(); ++e)
-                for (const EdgeSide side : surface.sides(e)) give(side.facet(), e);
-        });
-    }
+    /// Refers to `edges`.
+    explicit Alongside(const FacetEdges& edges)
+        : surface_(edges.surface), turn_(edges.turn), of_facet_(edges.of_facet) {}
 
     /// signed_turn of an edge.
     double turn(Index edge) const { return turn_[edge]; }
@@ -89,8 +82,8 @@ class Alongside {
     }
 
     const Surface& surface_;
-    Array<float> turn_;
-    Lists<Index> of_facet_;
+    const Array<float>& turn_;
+    const Lists<Index>& of_facet_;
 };
 
 }  // namespace fovea::field

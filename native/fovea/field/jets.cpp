@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <tbb/enumerable_thread_specific.h>
 
 #include <fovea/base/parallel.h>
@@ -204,6 +205,26 @@ Array<Curvature> fit_vertices(const Surface& surface, const Neighbors& neighbors
     return result;
 }
 
+/// RMS residual of the fit at a vertex, in edge lengths; nothing if it is not of the degree asked for with points to
+/// spare.
+std::optional<double> residual_at(const Surface& surface, const Neighbors& neighbors, const Array<vec3>& normals,
+                                  const JetOptions& options, Index v, Look& look) {
+    double a[terms(max_degree)], m[terms(max_degree)];
+    const Surroundings& around = look.around;
+    if (!look_around(surface, neighbors, options, normals[v], v, look)) return {};
+    if (around.count < std::size_t(terms(options.degree) + spare_points)) return {};
+    if (fit_up_to(options, around, a) != options.degree) return {};
+    double squares = 0.0;
+    for (std::size_t i = 0; i < around.count; ++i) {
+        monomials<max_degree>(around.x[i], around.y[i], 1.0, m);
+        double z = around.z[i];
+        for (int k = 0; k < terms(max_degree); ++k) z -= a[k] * m[k];
+        squares += z * z;
+    }
+    const double freedom = double(around.count) - terms(options.degree);
+    return std::sqrt(squares / freedom) * around.scale / around.edge_length;
+}
+
 }  // namespace
 
 Array<Curvature> jet_curvature(const Surface& surface, const Neighbors& neighbors, const Array<vec3>& normals,
@@ -221,24 +242,14 @@ Array<Curvature> jet_curvature(const Surface& surface, const Neighbors& neighbor
 double jet_noise(const Surface& surface, const Neighbors& neighbors, const Array<vec3>& normals,
                  const JetOptions& options, Index samples) {
     const Index step = std::max<Index>(1, surface.vertex_count() / std::max<Index>(1, samples));
-    Look look(surface.vertex_count());
-    std::vector<double> noise;
-    double a[terms(max_degree)], m[terms(max_degree)];
-    for (Index v = 0; v < surface.vertex_count(); v += step) {
-        if (!look_around(surface, neighbors, options, normals[v], v, look)) continue;
-        const Surroundings& around = look.around;
-        if (around.count < std::size_t(terms(options.degree) + spare_points)) continue;
-        if (fit_up_to(options, around, a) != options.degree) continue;
-        double squares = 0.0;
-        for (std::size_t i = 0; i < around.count; ++i) {
-            monomials<max_degree>(around.x[i], around.y[i], 1.0, m);
-            double z = around.z[i];
-            for (int k = 0; k < terms(max_degree); ++k) z -= a[k] * m[k];
-            squares += z * z;
-        }
-        const double freedom = double(around.count) - terms(options.degree);
-        noise.push_back(std::sqrt(squares / freedom) * around.scale / around.edge_length);
-    }
+    tbb::enumerable_thread_specific<Look> looks([&] { return Look(surface.vertex_count()); });
+    const auto fit_some = [&](std::size_t begin, std::size_t end, Array<double>& noise) {
+        Look& look = looks.local();
+        for (std::size_t i = begin; i < end; ++i)
+            if (const auto residual = residual_at(surface, neighbors, normals, options, Index(i) * step, look))
+                noise.push_back(*residual);
+    };
+    Array<double> noise = parallel_collect<double>((surface.vertex_count() + step - 1) / step, 64, fit_some);
     if (noise.empty()) return 0.0;
     std::nth_element(noise.begin(), noise.begin() + noise.size() / 2, noise.end());
     return noise[noise.size() / 2];

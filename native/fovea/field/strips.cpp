@@ -9,7 +9,8 @@ namespace {
 constexpr double least_turn = glm::radians(15.0), most_turn = glm::radians(65.0);
 
 Array<Index> find(const Surface& surface) {
-    const Alongside edges(surface);
+    const FacetEdges of_facets(surface);
+    const Alongside edges(of_facets);
     const auto bends = [&](Index edge) {
         return std::abs(edges.turn(edge)) >= least_turn && std::abs(edges.turn(edge)) <= most_turn;
     };

@@ -31,8 +31,8 @@ struct Row {
 
 class Bevels {
    public:
-    Bevels(const Surface& surface, double angle)
-        : surface_(surface), edges_(surface), least_together_(std::max(least_together, glm::radians(angle))) {}
+    Bevels(const field::FacetEdges& edges, double angle)
+        : surface_(edges.surface), edges_(edges), least_together_(std::max(least_together, glm::radians(angle))) {}
 
     Array<std::uint8_t> find(In<std::uint8_t> known) {
         const auto asked = parallel_map<std::uint8_t>(surface_.mesh_edges, [&](std::size_t e) {
@@ -190,8 +190,8 @@ class Bevels {
 
 }  // namespace
 
-Array<std::uint8_t> find_bevels(const Surface& surface, double angle, In<std::uint8_t> known) {
-    return Bevels(surface, angle).find(known);
+Array<std::uint8_t> find_bevels(const field::FacetEdges& edges, double angle, In<std::uint8_t> known) {
+    return Bevels(edges, angle).find(known);
 }
 
 }  // namespace fovea::line

@@ -2,7 +2,7 @@
 // Bevels: edges rounded or cut off by faces that are narrow beside what they join. An artist draws the edge.
 #pragma once
 
-#include <fovea/mesh/surface.h>
+#include <fovea/field/facet_edges.h>
 
 namespace fovea::line {
 
@@ -12,6 +12,6 @@ namespace fovea::line {
 /// own; and it is at least five times as long as wide. Of two edges that are equally near to the middle it is the one
 /// towards the side that faces z, else y, else x, so that the edges of one bevel are in a row.
 /// `known`: per mesh edge, whether it is a line anyway, which is not looked for again; empty: none is.
-Array<std::uint8_t> find_bevels(const Surface& surface, double angle, In<std::uint8_t> known = {});
+Array<std::uint8_t> find_bevels(const field::FacetEdges& edges, double angle, In<std::uint8_t> known = {});
 
 }  // namespace fovea::line

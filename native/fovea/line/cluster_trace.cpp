@@ -3,7 +3,7 @@
 
 namespace fovea::line {
 
-Curves in_order_of_triangles(const std::vector<std::vector<CurvePiece>>& parts, std::size_t triangles) {
+Curves in_order_of_triangles(const std::vector<Array<CurvePiece>>& parts, std::size_t triangles) {
     // Counting sort into buckets of 64 triangles, then a stable sort of each bucket.
     constexpr std::size_t bucket = 64;
     Lists<CurvePiece> pieces = lists_of<CurvePiece>((triangles + bucket - 1) / bucket, [&](const auto& give) {

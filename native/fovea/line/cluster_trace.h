@@ -18,7 +18,7 @@
 namespace fovea::line {
 
 /// Concatenates pieces in ascending order of their triangles; pieces of the same triangle keep their order.
-Curves in_order_of_triangles(const std::vector<std::vector<CurvePiece>>& parts, std::size_t triangles);
+Curves in_order_of_triangles(const std::vector<Array<CurvePiece>>& parts, std::size_t triangles);
 
 /// Indices of the clusters for which none_in is false, ascending.
 template <typename NoneIn>
@@ -65,7 +65,7 @@ static Curves trace_clusters(const SurfaceView& seen, const NoneIn& none_in, con
     const auto clusters = clusters_of(surface);
     const Array<Index> with_lines = clusters_with_lines(seen, *hierarchy_of(surface), none_in);
     constexpr std::size_t block = 32;
-    const auto trace = [&](std::vector<CurvePiece>& part, std::size_t begin, std::size_t end) {
+    const auto trace = [&](Array<CurvePiece>& part, std::size_t begin, std::size_t end) {
         Looks<VertexEval, Detail> looks;
         for (std::size_t k = begin; k < end; ++k) {
             if (k + 1 < end) fetch_vertices(surface, *fields, clusters->vertices[with_lines[k + 1]]);
@@ -93,7 +93,7 @@ static Curves trace_clusters(const SurfaceView& seen, const NoneIn& none_in, con
             }
         }
     };
-    const auto parts = parallel_parts<std::vector<CurvePiece>>(with_lines.size(), block, trace);
+    const auto parts = parallel_parts<Array<CurvePiece>>(with_lines.size(), block, trace);
     return in_order_of_triangles(parts, surface.triangles.size());
 }
 

@@ -48,15 +48,20 @@ void mark(const SurfaceView& seen, const Crease& values, Kinds bit, Array<Kinds>
         asked[e] = !hard || field::is_shaded_smooth(surface, e);
         return !asked[e];
     });
+    const bool any_asked = std::ranges::find(asked, 1) != asked.end();
+    if (shape == Shape::smooth && !any_asked) return;
+    const field::FacetEdges edges(surface);
     if (shape != Shape::smooth) {
         const auto known =
             parallel_map<std::uint8_t>(surface.mesh_edges, [&](std::size_t e) { return (kinds[e] & bit) != 0; });
-        const Array<std::uint8_t> bevels = find_bevels(surface, values.angle, known);
+        const Array<std::uint8_t> bevels = find_bevels(edges, values.angle, known);
         mark_edges(surface.mesh_edges, bit, kinds, [&](Index e) { return bevels[e] != 0; });
     }
-    if (std::ranges::find(asked, 1) == asked.end()) return;
-    const double least = hard ? 0.0 : values.length * field::fields_of(surface)->feature_size;
-    const Array<std::uint8_t> folds = find_folds(surface, shape, values.angle, least);
+    if (!any_asked) return;
+    std::function<double()> least;
+    if (!hard && values.length > 0.0)
+        least = [&] { return values.length * field::fields_of(surface)->feature_size; };
+    const Array<std::uint8_t> folds = find_folds(edges, shape, values.angle, least);
     mark_edges(surface.mesh_edges, bit, kinds, [&](Index e) { return folds[e] != 0; });
 }
 

@@ -58,7 +58,7 @@ Curves find(const SurfaceView& seen, const ThresholdValues& values) {
         return corner(c, demarcating(c));
     });
     const auto sides = triangle_sides(surface);
-    return collect_pieces(surface.triangles.size(), [&](Index triangle, std::vector<CurvePiece>& out) {
+    return collect_pieces(surface.triangles.size(), [&](Index triangle, Array<CurvePiece>& out) {
         const Triangle& t = surface.triangles[triangle];
         Corner corners[3] = {strongest[t.x], strongest[t.y], strongest[t.z]};
         const auto strong = [&](const Corner& c) { return c.strength > thresholds.low; };

@@ -2,6 +2,7 @@
 #include <fovea/line/folds.h>
 
 #include <cmath>
+#include <optional>
 
 #include <fovea/base/disjoint_sets.h>
 #include <fovea/base/parallel.h>
@@ -38,15 +39,15 @@ constexpr double straight_cosine = 0.6428;  // a fold continues along an edge th
 
 class Folds {
    public:
-    Folds(const Surface& surface, double angle, Shape shape)
-        : surface_(surface), turns_(surface), angle_(glm::radians(angle)), limits_(limits_for(shape)) {
-        at_vertex_ = lists_of<Index>(surface.vertex_count(), [&](const auto& give) {
-            for (Index e = 0; e < surface.mesh_edges; ++e)
-                for (const Index v : {surface.edges[e].x, surface.edges[e].y}) give(v, e);
+    Folds(const field::FacetEdges& edges, double angle, Shape shape)
+        : surface_(edges.surface), turns_(edges), angle_(glm::radians(angle)), limits_(limits_for(shape)) {
+        at_vertex_ = lists_of<Index>(surface_.vertex_count(), [&](const auto& give) {
+            for (Index e = 0; e < surface_.mesh_edges; ++e)
+                for (const Index v : {surface_.edges[e].x, surface_.edges[e].y}) give(v, e);
         });
     }
 
-    Array<std::uint8_t> find(double least) const {
+    Array<std::uint8_t> find(const std::function<double()>& least) const {
         const auto grade = parallel_map<std::uint8_t>(surface_.mesh_edges, [&](std::size_t e) -> std::uint8_t {
             const Hysteresis& by = turns_[Index(e)] < 0.0 ? limits_.concave : limits_.convex;
             return stands_out(Index(e), by.start) ? 2 : stands_out(Index(e), by.onward) ? 1 : 0;
@@ -56,7 +57,7 @@ class Folds {
         for (Index e = 0; e < on.size(); ++e)
             if (grade[e] == 2)
                 for (const Index v : {surface_.edges[e].x, surface_.edges[e].y}) go_on(v, e, grade, on);
-        if (least > 0.0) drop_short(least, on);
+        if (least) drop_short(least, on);
         return on;
     }
 
@@ -111,7 +112,7 @@ class Folds {
 
     /// Clears folds of one edge, and those shorter than `least`, that touch no edge that is marked sharp and have too
     /// few concave edges.
-    void drop_short(double least, Array<std::uint8_t>& on) const {
+    void drop_short(const std::function<double()>& least, Array<std::uint8_t>& on) const {
         DisjointSets folds(surface_.vertex_count());
         for (Index e = 0; e < on.size(); ++e)
             if (on[e]) folds.join(surface_.edges[e].x, surface_.edges[e].y);
@@ -127,11 +128,13 @@ class Folds {
                 for (const Index v : {ends.x, ends.y}) extent[folds.name(v)].is_marked = true;
             }
         }
+        std::optional<double> shortest;
         for (Index e = 0; e < on.size(); ++e) {
             if (!on[e]) continue;
             const Extent& fold = extent[folds.name(surface_.edges[e].x)];
-            on[e] =
-                fold.is_marked || fold.concave >= limits_.enough_concave || (fold.edges > 1 && fold.length >= least);
+            if (fold.is_marked || fold.concave >= limits_.enough_concave) continue;
+            if (fold.edges > 1 && !shortest) shortest = least();
+            on[e] = fold.edges > 1 && fold.length >= *shortest;
         }
     }
 
@@ -144,8 +147,9 @@ class Folds {
 
 }  // namespace
 
-Array<std::uint8_t> find_folds(const Surface& surface, Shape shape, double angle, double least) {
-    return Folds(surface, angle, shape).find(least);
+Array<std::uint8_t> find_folds(const field::FacetEdges& edges, Shape shape, double angle,
+                               const std::function<double()>& least) {
+    return Folds(edges, angle, shape).find(least);
 }
 
 }  // namespace fovea::line

@@ -67,7 +67,7 @@ Array<Node> per_node(const Lattice& lattice, const Make& make) {
 /// Calls emit(triangle, out) for the lattice triangles whose sides' neighbors (lattice_side) are inside the border.
 template <typename Emit>
 Curves collect_in_lattice(const Lattice& lattice, const Emit& emit) {
-    return collect_pieces(2 * lattice.size(), [&](Index number, std::vector<CurvePiece>& out) {
+    return collect_pieces(2 * lattice.size(), [&](Index number, Array<CurvePiece>& out) {
         const int node = int(number / 2), x = node % lattice.width, y = node / lattice.width;
         const int last_x = lattice.width - lattice_border - 2, last_y = lattice.height - lattice_border - 2;
         const bool inside = x > lattice_border && y > lattice_border && x < last_x && y < last_y;
@@ -96,7 +96,7 @@ Curves trace_in_image(const FrameView& frame, const SmoothTone& tone, const Imag
     const auto place = [&](Index node) { return vec3(lattice_place(lattice, node), 0.0f); };
     const auto margin = [&](Index node) { return measure(node) - low; };
     const auto strength = [&](float above) { return above >= range ? 1.0f : std::max(above, 0.0f) / range; };
-    const auto emit = [&](const LatticeTriangle& triangle, std::vector<CurvePiece>& out) {
+    const auto emit = [&](const LatticeTriangle& triangle, Array<CurvePiece>& out) {
         const auto is_strong = [&](Index node) { return measure(node) > low; };
         if (std::none_of(triangle.node, triangle.node + 3, is_strong) || !wanted(triangle)) return;
         ZeroCrossing ends[3];

@@ -37,7 +37,7 @@ inline Curves find_principal_highlights(const SurfaceView& seen, const Threshold
         above[v] = (c.k1 * c.k1 - c.k2 * c.k2) * s.facing - thresholds.low;
     });
     const auto sides = triangle_sides(surface);
-    return collect_pieces(surface.triangles.size(), [&](Index triangle, std::vector<CurvePiece>& out) {
+    return collect_pieces(surface.triangles.size(), [&](Index triangle, Array<CurvePiece>& out) {
         const Triangle& t = surface.triangles[triangle];
         const auto curvature = [&](Index v) -> const Curvature& { return fields->curvature[v]; };
         const auto bend = [&](Index v) { return std::abs(curvature(v).k1); };

@@ -23,17 +23,11 @@ dvec3 vector_of(const Surface& surface, Index edge) {
 
 }  // namespace
 
-Turns::Turns(const Surface& surface)
-    : surface_(surface), turn_(parallel_map<float>(surface.edges.size(), [&](std::size_t e) {
-          return static_cast<float>(field::signed_turn(surface, static_cast<Index>(e)));
-      })) {
-    of_facet_ = lists_of<Index>(surface.facet_count(), [&](const auto& give) {
-        for (Index e = 0; e < surface.edges.size(); ++e)
-            for (const EdgeSide side : surface.sides(e)) give(side.facet(), e);
-    });
-    triangles_ = lists_of<Index>(surface.vertex_count(), [&](const auto& give) {
-        for (Index t = 0; t < surface.triangles.size(); ++t)
-            for (int k = 0; k < 3; ++k) give(surface.triangles[t][k], t);
+Turns::Turns(const field::FacetEdges& edges)
+    : surface_(edges.surface), turn_(edges.turn), of_facet_(edges.of_facet) {
+    triangles_ = lists_of<Index>(surface_.vertex_count(), [&](const auto& give) {
+        for (Index t = 0; t < surface_.triangles.size(); ++t)
+            for (int k = 0; k < 3; ++k) give(surface_.triangles[t][k], t);
     });
 }
 

@@ -2,7 +2,7 @@
 // How much a surface turns at its edges, and beside them: what a fold is measured against.
 #pragma once
 
-#include <fovea/mesh/surface.h>
+#include <fovea/field/facet_edges.h>
 
 namespace fovea::line {
 
@@ -11,7 +11,8 @@ namespace fovea::line {
 /// Turns the other way count as none there.
 class Turns {
    public:
-    explicit Turns(const Surface& surface);
+    /// Refers to `edges`.
+    explicit Turns(const field::FacetEdges& edges);
 
     /// At an edge; negative where the surface is concave, 0 where there are not two facets.
     double operator[](Index edge) const { return turn_[edge]; }
@@ -34,8 +35,8 @@ class Turns {
     void meet(Index edge, Index facet, const dvec3& along, double sum, int flats, const Visit& visit) const;
 
     const Surface& surface_;
-    Array<float> turn_;
-    Lists<Index> of_facet_;   // edges
+    const Array<float>& turn_;
+    const Lists<Index>& of_facet_;
     Lists<Index> triangles_;  // around each vertex
 };
 

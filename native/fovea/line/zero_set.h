@@ -41,7 +41,7 @@ inline vec2 margins(const vec2& two) { return two; }
 /// positive, and appends it. strength(margin) is evaluated at the ends of the clipped segment.
 template <typename Position, typename Margin, typename Strength>
 static void append_trimmed(const Position& position, Index triangle, const ZeroCrossing (&ends)[2],
-                           const Margin& margin, const Strength& strength, std::vector<CurvePiece>& out) {
+                           const Margin& margin, const Strength& strength, Array<CurvePiece>& out) {
     const vec2 above[2] = {margins(ends[0].mix(margin)), margins(ends[1].mix(margin))};
     float from = 0.0f, to = 1.0f;  // fractions from end 0 to end 1
     for (int c = 0; c < 2; ++c) {
@@ -73,7 +73,7 @@ inline auto positions_of(const Surface& surface) {
 /// Appends the segment of the zero set of `value` in one triangle, if there is one.
 template <typename Value, typename Margin, typename Strength>
 static void append_zero(const Surface& surface, const TriangleSides& sides, Index triangle, const Value& value,
-                        const Margin& margin, const Strength& strength, std::vector<CurvePiece>& out) {
+                        const Margin& margin, const Strength& strength, Array<CurvePiece>& out) {
     const Triangle& t = surface.triangles[triangle];
     const float f[3] = {value(t.x), value(t.y), value(t.z)};
     const bool positive[3] = {f[0] >= 0.0f, f[1] >= 0.0f, f[2] >= 0.0f};
@@ -98,7 +98,7 @@ template <typename Value, typename Margin, typename Strength>
 static Curves trace_zero_set(const Surface& surface, const Value& value, const Margin& margin,
                              const Strength& strength) {
     const auto sides = triangle_sides(surface);
-    return collect_pieces(surface.triangles.size(), [&](Index triangle, std::vector<CurvePiece>& out) {
+    return collect_pieces(surface.triangles.size(), [&](Index triangle, Array<CurvePiece>& out) {
         append_zero(surface, *sides, triangle, value, margin, strength, out);
     });
 }
@@ -136,7 +136,7 @@ struct Levels {
 /// Appends a segment for each level of `value` that crosses a triangle.
 template <typename Value>
 static void append_levels(const Surface& surface, const TriangleSides& sides, Index triangle, const Value& value,
-                          const Levels& levels, std::vector<CurvePiece>& out) {
+                          const Levels& levels, Array<CurvePiece>& out) {
     const Triangle& t = surface.triangles[triangle];
     const auto below = [&](Index v) { return levels.below(value(v)); };
     const auto [low, high] = std::minmax({below(t.x), below(t.y), below(t.z)});
@@ -166,7 +166,7 @@ inline double bend_across(const dvec3 (&p)[3], const dvec3 (&uphill)[3], int alo
 template <typename Uphill, typename Margin, typename Strength>
 static void append_maximum(const Surface& surface, const TriangleSides& sides, Index triangle, const Uphill& uphill,
                            float least_bend, const Margin& margin, const Strength& strength,
-                           std::vector<CurvePiece>& out) {
+                           Array<CurvePiece>& out) {
     const Triangle& corners = surface.triangles[triangle];
     const vec3 climb[3] = {uphill(corners.x), uphill(corners.y), uphill(corners.z)};
     ZeroCrossing ends[2];
@@ -201,7 +201,7 @@ template <typename Wanted, typename Uphill, typename Margin, typename Strength>
 static Curves trace_maxima(const Surface& surface, const Wanted& wanted, const Uphill& uphill, float least_bend,
                            const Margin& margin, const Strength& strength) {
     const auto sides = triangle_sides(surface);
-    return collect_pieces(surface.triangles.size(), [&](Index triangle, std::vector<CurvePiece>& out) {
+    return collect_pieces(surface.triangles.size(), [&](Index triangle, Array<CurvePiece>& out) {
         if (wanted(triangle)) append_maximum(surface, *sides, triangle, uphill, least_bend, margin, strength, out);
     });
 }

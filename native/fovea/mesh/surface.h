@@ -214,7 +214,7 @@ class Surface : public SurfaceArrays {
         bool ascending;
         Index facet, corner;
     };
-    void split_bent_polygon(Index polygon, std::vector<TriangleSide>& scratch, std::vector<Diagonal>& diagonals);
+    void split_bent_polygon(Index polygon, std::vector<TriangleSide>& scratch, Array<Diagonal>& diagonals);
 
     std::string name_;
     Rows polygons_;  // corners of polygons

@@ -195,7 +195,7 @@ void Surface::build_facets(const Array<std::uint8_t>& skip, const Array<Outline>
     });
 }
 
-void Surface::split_bent_polygon(Index f, std::vector<TriangleSide>& sides, std::vector<Diagonal>& diagonals) {
+void Surface::split_bent_polygon(Index f, std::vector<TriangleSide>& sides, Array<Diagonal>& diagonals) {
     // Sort the sides of the triangles and of the polygon by their vertices, so that equal ones are adjacent: a triangle
     // side that equals a polygon side lies on the outline; one that equals another triangle's is a diagonal.
     sides.clear();

@@ -67,7 +67,7 @@ Stretch all_of(const Walk& walk) { return {walk.chain(), {0, 0.0f}, {walk.segmen
 
 /// Appends the intervals above the level. `low(i)`: point i is below it. `crossing(i)`: where segment i crosses it.
 template <typename Low, typename Crossing>
-void cut(const Walk& walk, const Low& low, const Crossing& crossing, std::vector<Stretch>& out) {
+void cut(const Walk& walk, const Low& low, const Crossing& crossing, Array<Stretch>& out) {
     const Index segments = walk.segments(), start = first_of(walk, low);
     if (start == segments) return out.push_back(all_of(walk));
     bool open = !low(start);
@@ -84,7 +84,7 @@ void cut(const Walk& walk, const Low& low, const Crossing& crossing, std::vector
 
 /// Appends the runs of whole segments that satisfy kept(segment).
 template <typename Kept>
-void cut_whole(const Walk& walk, const Kept& kept, std::vector<Stretch>& out) {
+void cut_whole(const Walk& walk, const Kept& kept, Array<Stretch>& out) {
     const Index segments = walk.segments(), start = first_of(walk, [&](Index i) { return !kept(i); });
     if (start == segments) return out.push_back(all_of(walk));
     for (Index i = start; i < start + segments;) {
@@ -199,8 +199,8 @@ Array<Stretch> find_stretches(const CurveChains& chains, const Find& find) {
 }  // namespace
 
 CurveChains select_stretches(const CurveChains& chains, const Selection& selection) {
-    const auto find = [&](const Walk& walk, std::vector<Stretch>& out) {
-        std::vector<Stretch> stretches;
+    const auto find = [&](const Walk& walk, Array<Stretch>& out) {
+        Array<Stretch> stretches;
         if (selection.whole) {
             cut_whole(walk, [&](Index i) { return walk.strength(i) >= selection.level; }, stretches);
         } else {
@@ -229,7 +229,7 @@ CurveChains without_spurs(const CurveChains& chains, const Surface& surface) {
         }
         return sum / 3.0f;
     };
-    const auto find = [&](const Walk& walk, std::vector<Stretch>& out) {
+    const auto find = [&](const Walk& walk, Array<Stretch>& out) {
         Index begin = 0, end = walk.segments();
         if (!walk.closed()) {
             begin = spur(walk, 1, side_at(walk.at(begin)));
@@ -241,7 +241,7 @@ CurveChains without_spurs(const CurveChains& chains, const Surface& surface) {
 }
 
 CurveChains without_triangles(const CurveChains& chains, In<std::uint8_t> removed, bool another_goes_on) {
-    const auto find = [&](const Walk& walk, std::vector<Stretch>& out) {
+    const auto find = [&](const Walk& walk, Array<Stretch>& out) {
         cut_whole(walk, [&](Index i) { return !removed[chains.triangle[walk.at(i)]]; }, out);
     };
     return gather(chains, find_stretches(chains, find), false, another_goes_on ? 0 : any_free);

@@ -78,14 +78,14 @@ bool place_on_screen(const std::array<dvec2, 3>& corner, const RasterTarget& tar
 }
 
 /// Appends a triangle that is placed. `source`: its corners before clipping, (x w, y w, depth w, w) in texels.
-void append(RasterTriangle& placed, const std::array<dvec4, 3>& source, std::vector<RasterTriangle>& out) {
+void append(RasterTriangle& placed, const std::array<dvec4, 3>& source, Array<RasterTriangle>& out) {
     if (depth_plane(source, placed.plane)) out.push_back(placed);
 }
 
 /// Clips a triangle at the near plane (depth <= 1) and appends the result, at most two triangles. `inside`: per corner,
 /// w - depth w. `placed`: its mesh and number.
 void append_clipped(const std::array<dvec4, 3>& corner, const std::array<double, 3>& inside, const RasterTarget& target,
-                    double away, RasterTriangle placed, std::vector<RasterTriangle>& out) {
+                    double away, RasterTriangle placed, Array<RasterTriangle>& out) {
     std::array<dvec2, 4> polygon;
     std::array<bool, 4> of_mesh;  // per edge, from each corner to the next
     int count = 0;
@@ -165,7 +165,7 @@ class Vertices {
 };
 
 void append_triangles(In<RasterMesh> meshes, const Block& block, const RasterTarget& target,
-                      std::vector<RasterTriangle>& out) {
+                      Array<RasterTriangle>& out) {
     const RasterMesh& mesh = meshes[block.mesh];
     check_vertices(mesh, block);
     // Maps to texels, still homogeneous: (x / w * .5 + .5) * size.
@@ -200,7 +200,7 @@ void append_triangles(In<RasterMesh> meshes, const Block& block, const RasterTar
 
 /// Screen triangles of a block, and per band of rows the indices of those in it, in mesh order.
 struct Binned {
-    std::vector<RasterTriangle> triangles;
+    Array<RasterTriangle> triangles;
     Lists<Index> bands;
 };
 

@@ -39,8 +39,8 @@ void walk(const ClippedPaths& clipped, const Runs& runs, std::size_t run, const 
 class Grid {
    public:
     Grid(const ClippedPaths& clipped, const Runs& runs, double near_px) : cell_(std::max(near_px, step_px)) {
-        const auto found = parallel_parts<std::vector<Place>>(
-            runs.size(), runs_per_block, [&](std::vector<Place>& places, std::size_t begin, std::size_t end) {
+        const auto found = parallel_parts<Array<Place>>(
+            runs.size(), runs_per_block, [&](Array<Place>& places, std::size_t begin, std::size_t end) {
                 for (std::size_t r = begin; r < end; ++r)
                     if (runs.invisibility[r] == 0)
                         walk(clipped, runs, r, [&](double, const Place& place) { places.push_back(place); });

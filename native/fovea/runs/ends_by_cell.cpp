@@ -13,7 +13,7 @@ constexpr double look_back_px = 4.0;  // segments on dense meshes zigzag
 constexpr std::ptrdiff_t crowd = 256;
 constexpr double crowd_px = 0.5, crowd_turn = 0.125;  // roundings of places and of unit vectors
 
-using Ends = std::vector<End>::iterator;
+using Ends = Array<End>::iterator;
 
 auto order(const End& e) { return std::tuple(e.row, e.placement, e.column, e.px.x, e.px.y, e.way.x, e.way.y, e.path); }
 
@@ -43,8 +43,8 @@ End end_of(const ClippedPaths& clipped, const Runs& runs, In<Index> placement, d
     return {std::int64_t(cell.y), std::int64_t(cell.x), placement[path], path, px, out / glm::length(out)};
 }
 
-std::vector<End> ends_by_cell(const ClippedPaths& clipped, const Runs& runs, In<Index> placement, double cell_px) {
-    std::vector<End> ends;
+Array<End> ends_by_cell(const ClippedPaths& clipped, const Runs& runs, In<Index> placement, double cell_px) {
+    Array<End> ends;
     for (Index r = 0; r < runs.size(); ++r)
         for (const bool at_end : {false, true}) {
             if (runs.invisibility[r] != 0) continue;

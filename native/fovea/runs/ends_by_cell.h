@@ -24,6 +24,6 @@ End end_of(const ClippedPaths& clipped, const Runs& runs, In<Index> placement, d
 /// Both ends of all visible runs, ascending by cell. Of ends at one place with one direction there are two, of
 /// different paths, as whoever looks for others is on one path only. In a cell of more than 256 ends of a placement,
 /// those count as one place that are nearly so (to half a pixel and 7 degrees).
-std::vector<End> ends_by_cell(const ClippedPaths& clipped, const Runs& runs, In<Index> placement, double cell_px);
+Array<End> ends_by_cell(const ClippedPaths& clipped, const Runs& runs, In<Index> placement, double cell_px);
 
 }  // namespace fovea::runs

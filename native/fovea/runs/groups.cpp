@@ -91,7 +91,7 @@ Groups group_runs(const ClippedPaths& clipped, const Runs& runs, In<Index> place
     }
     Groups groups;
     groups.of_run.assign(runs.size(), none);
-    std::vector<Box> boxes;
+    Array<Box> boxes;
     for (Index r = 0; r < runs.size(); ++r) {
         if (!belongs(clipped, runs, placement, r)) continue;
         const Index root = sets.name(r);

@@ -51,7 +51,7 @@ class Joiner {
     double moved(double arc) const { return arc - taken_before(arc) + taken_before(middle()); }
 
     std::vector<Span> spans;
-    std::vector<Joint> joints;
+    Array<Joint> joints;
 
    private:
     double middle() const { return std::clamp(0.0, clipped_.first_arc(piece_), clipped_.last_arc(piece_)); }
@@ -151,15 +151,15 @@ struct NewPoint {
 
 /// Pieces as they are to be: their points, their runs.
 struct Block {
-    std::vector<NewPoint> points;
-    std::vector<Index> sizes;  // points of each piece
+    Array<NewPoint> points;
+    Array<Index> sizes;  // points of each piece
     Runs runs;
 };
 
 /// Writes the points of one piece without what its joints take out.
 class PieceWriter {
    public:
-    PieceWriter(const ClippedPaths& clipped, Index piece, const Joiner& joiner, std::vector<NewPoint>& out)
+    PieceWriter(const ClippedPaths& clipped, Index piece, const Joiner& joiner, Array<NewPoint>& out)
         : clipped_(clipped), piece_(piece), segment_(clipped.pieces.begin(piece)), joiner_(joiner), out_(out) {}
 
     void write() {
@@ -200,7 +200,7 @@ class PieceWriter {
     Index piece_, segment_;
     double share_ = 0.0;
     const Joiner& joiner_;
-    std::vector<NewPoint>& out_;
+    Array<NewPoint>& out_;
 };
 
 void join_piece(const ClippedPaths& clipped, const Runs& visible, const Rows& rows, Index piece, Joiner& joiner,
@@ -242,7 +242,7 @@ Unfolded assemble(const ClippedPaths& clipped, std::vector<Block>& blocks) {
     out.ends = clipped.ends;
     out.path_length_px = clipped.path_length_px;
     out.orthographic = clipped.orthographic;
-    std::vector<NewPoint> points;
+    Array<NewPoint> points;
     for (Block& block : blocks) {
         points.insert(points.end(), block.points.begin(), block.points.end());
         for (const Index size : block.sizes) out.pieces.offsets.push_back(out.pieces.offsets.back() + size);

@@ -70,7 +70,7 @@ class Ends {
     const Runs& runs_;
     In<Index> placement_;
     double reach_;
-    std::vector<End> ends_;
+    Array<End> ends_;
 };
 
 }  // namespace

@@ -93,7 +93,7 @@ std::optional<std::pair<Place, Place>> crossing(const ClippedPaths& clipped, con
 
 /// Adds the crossings at which a run passes behind others on one of its stretches.
 void find(const ClippedPaths& clipped, const Runs& runs, std::size_t run, const StretchGrid& grid, const Stretch& far,
-          std::vector<PassBehind>& found) {
+          Array<PassBehind>& found) {
     const Index piece = runs.piece[run];
     grid.near(far.a, far.b, [&](const Stretch& near) {
         if (near.point == far.point) return;

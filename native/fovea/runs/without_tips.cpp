@@ -33,9 +33,9 @@ double distance_to(const dvec2& p, const dvec2& a, const dvec2& b) {
 }
 
 /// Ends of the groups that may be tips, sorted by cells of `touch_px`.
-std::vector<End> ends_of(const ClippedPaths& clipped, const Runs& runs, const Groups& groups, double tip_px,
+Array<End> ends_of(const ClippedPaths& clipped, const Runs& runs, const Groups& groups, double tip_px,
                          double touch_px) {
-    std::vector<End> ends;
+    Array<End> ends;
     for (std::size_t r = 0; r < runs.size(); ++r) {
         const Index group = groups.of_run[r];
         if (group == none || !groups.hidden[group] || groups.size_px[group] >= tip_px) continue;
@@ -53,8 +53,8 @@ std::vector<End> ends_of(const ClippedPaths& clipped, const Runs& runs, const Gr
 
 /// The groups other than an end's own that have a run within `touch_px` of it, sorted by ends.
 Array<Touch> touches_of(const ClippedPaths& clipped, const Runs& runs, const Groups& groups,
-                        const std::vector<End>& ends, double touch_px) {
-    const auto add = [&](const dvec2& a, const dvec2& b, Index group, std::vector<Touch>& out) {
+                        const Array<End>& ends, double touch_px) {
+    const auto add = [&](const dvec2& a, const dvec2& b, Index group, Array<Touch>& out) {
         const dvec2 low = glm::floor((glm::min(a, b) - touch_px) / touch_px);
         const dvec2 high = glm::floor((glm::max(a, b) + touch_px) / touch_px);
         if (!std::isfinite(low.x + low.y + high.x + high.y)) return;
@@ -84,7 +84,7 @@ Array<Touch> touches_of(const ClippedPaths& clipped, const Runs& runs, const Gro
 }
 
 /// Per group: 1 if it has an end that no group touches but such as are removed themselves.
-std::vector<std::uint8_t> loose_groups(const Groups& groups, const std::vector<End>& ends, In<Touch> touches) {
+std::vector<std::uint8_t> loose_groups(const Groups& groups, const Array<End>& ends, In<Touch> touches) {
     std::vector<std::uint8_t> removed(groups.count(), 0);
     for (bool more = true; more;) {
         more = false;
@@ -105,7 +105,7 @@ std::vector<std::uint8_t> loose_groups(const Groups& groups, const std::vector<E
 Runs without_tips(const ClippedPaths& clipped, const Runs& runs, In<Index> placement, double tip_px, double touch_px) {
     check(tip_px >= 0.0 && touch_px > 0.0, "tip_px, touch_px: not numbers of 0 or more, and above 0");
     const Groups groups = group_runs(clipped, runs, placement, false);
-    const std::vector<End> ends = ends_of(clipped, runs, groups, tip_px, touch_px);
+    const Array<End> ends = ends_of(clipped, runs, groups, tip_px, touch_px);
     if (ends.empty()) return runs;
     const Array<Touch> touches = touches_of(clipped, runs, groups, ends, touch_px);
     const std::vector<std::uint8_t> removed = loose_groups(groups, ends, touches);

@@ -40,7 +40,7 @@ bool are_adjacent(const Triangle& a, const Triangle& b) {
 /// The number of the first triangle of each patch, and at last that of all triangles.
 Array<Index> patches(const Surface& surface) {
     const auto& triangles = surface.triangles;
-    const auto fill = [&](std::size_t begin, std::size_t end, std::vector<Index>& first) {
+    const auto fill = [&](std::size_t begin, std::size_t end, Array<Index>& first) {
         for (auto i = static_cast<Index>(begin); i < end; ++i) {
             const auto belongs = [&](Index j) { return are_adjacent(triangles[j], triangles[i]); };
             bool found = false;

@@ -142,7 +142,7 @@ class Finder {
     Finder(const Mapped& first, const Mapped& second, const Grid& grid, bool within)
         : mapped_{first, second}, grid_(grid), within_(within) {}
 
-    void meet(Index first, Index second, std::vector<Piece>& out) const {
+    void meet(Index first, Index second, Array<Piece>& out) const {
         const Plain plain_a = plain(0, first), plain_b = plain(1, second);
         // bits 0 to 2: corners of the second triangle that the first has, too; bits 3 to 5: of the first
         unsigned shared = 0;
