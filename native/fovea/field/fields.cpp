@@ -53,8 +53,7 @@ int rings_for(double noise, const std::function<double(int)>& residual) {
     return best;
 }
 
-Choice choose_jets(const Surface& surface, const Neighbors& neighbors, const Array<vec3>& normals,
-                   const FieldOptions& options) {
+Choice choose_jets(const Surface& surface, const Neighbors& neighbors, const FieldOptions& options) {
     Choice choice;
     choice.jets = {.degree = 4, .rings = 3};
     choice.smoothing = options.smoothing;
@@ -62,7 +61,7 @@ Choice choose_jets(const Surface& surface, const Neighbors& neighbors, const Arr
         choice.reason = "accurate (jets) as asked for";
     } else {
         const auto residual = [&](int degree, int rings) {
-            return jet_noise(surface, neighbors, normals, {.degree = degree, .rings = rings, .even = degree == 3});
+            return jet_noise(surface, neighbors, {.degree = degree, .rings = rings, .even = degree == 3});
         };
         // On coarse but clean meshes, too, fits leave residuals, but smaller ones over fewer rings; those of noise do
         // not shrink.
@@ -84,6 +83,11 @@ Choice choose_jets(const Surface& surface, const Neighbors& neighbors, const Arr
     if (options.rings) choice.jets.rings = options.rings;
     choice.reason += std::format(", degree {}, radius {}", choice.jets.degree, choice.jets.rings);
     return choice;
+}
+
+std::shared_ptr<const Choice> choice_of(const Surface& surface, const Neighbors& neighbors,
+                                        const FieldOptions& options) {
+    return surface.cache().get<Choice>(hash_of(options), [&] { return choose_jets(surface, neighbors, options); });
 }
 
 float feature_size_of(const Surface& surface, const Neighbors& neighbors, const Array<Curvature>& curvature) {
@@ -144,11 +148,10 @@ Fields make_fields(const Surface& surface, const FieldOptions& options) {
         fields.curvature = one_ring_curvature(surface, neighbors);
         fields.reason = "fast (one-rings) as asked for";
     } else {
-        const Array<vec3> normals = vertex_normals(surface, neighbors);
-        const Choice choice = choose_jets(surface, neighbors, normals, options);
-        fields.curvature = jet_curvature(surface, neighbors, normals, choice.jets);
-        fields.reason = choice.reason;
-        smoothing = choice.smoothing;
+        const auto choice = choice_of(surface, neighbors, options);
+        fields.curvature = jet_curvature(surface, neighbors, choice->jets);
+        fields.reason = choice->reason;
+        smoothing = choice->smoothing;
     }
     if (smoothing > 0.0) {
         fields.curvature = smooth(surface, neighbors, fields.curvature, smoothing);
@@ -181,10 +184,9 @@ Array<vec3> fitted_normals(const Surface& surface, In<Index> vertices) {
     check_options(options, surface.name());
     if (!surface.source() && options.estimator != Estimator::one_ring && surface.jets.empty()) {
         const auto neighbors = neighbors_of(surface, options.hard_angle);
-        const Array<vec3> normals = vertex_normals(surface, *neighbors);
-        const Choice choice = choose_jets(surface, *neighbors, normals, options);
-        if (choice.smoothing == 0.0) {
-            const auto fitted = jet_curvature(surface, *neighbors, normals, choice.jets, vertices);
+        const auto choice = choice_of(surface, *neighbors, options);
+        if (choice->smoothing == 0.0) {
+            const auto fitted = jet_curvature(surface, *neighbors, choice->jets, vertices);
             return parallel_map<vec3>(vertices.size(), [&](std::size_t i) { return vec3(fitted[i].normal); });
         }
     }

@@ -8,6 +8,7 @@
 
 #include <fovea/base/parallel.h>
 #include <fovea/field/exact_curvature.h>
+#include <fovea/field/normals.h>
 #include <fovea/field/walk.h>
 
 namespace fovea::field {
@@ -176,8 +177,8 @@ Curvature to_object(CurvatureD c, const Surroundings& around) {
 }
 
 /// Gathers and fills the neighborhood of vertex v; false if v has no normal or no other point.
-bool look_around(const Surface& surface, const Neighbors& neighbors, const JetOptions& options, const vec3& normal,
-                 Index v, Look& look) {
+bool look_around(const Surface& surface, const Neighbors& neighbors, const JetOptions& options, Index v, Look& look) {
+    const vec3 normal = vertex_normal(surface, neighbors, v);
     if (normal == vec3(0.0f)) return false;
     const auto& found =
         look.walk.gather(neighbors, v, options.rings, terms(options.degree) + spare_points, extra_rings);
@@ -187,8 +188,8 @@ bool look_around(const Surface& surface, const Neighbors& neighbors, const JetOp
 
 /// Curvature of `count` vertices, the i-th of which is vertex(i).
 template <typename Vertex>
-Array<Curvature> fit_vertices(const Surface& surface, const Neighbors& neighbors, const Array<vec3>& normals,
-                              const JetOptions& options, std::size_t count, const Vertex& vertex) {
+Array<Curvature> fit_vertices(const Surface& surface, const Neighbors& neighbors, const JetOptions& options,
+                              std::size_t count, const Vertex& vertex) {
     Array<Curvature> result(count);
     tbb::enumerable_thread_specific<Look> looks([&] { return Look(surface.vertex_count()); });
     parallel_blocks(count, 1024, [&](std::size_t, std::size_t begin, std::size_t end) {
@@ -197,7 +198,7 @@ Array<Curvature> fit_vertices(const Surface& surface, const Neighbors& neighbors
         for (std::size_t i = begin; i < end; ++i) {
             const Index v = vertex(i);
             result[i] = {};
-            if (!look_around(surface, neighbors, options, normals[v], v, look)) continue;
+            if (!look_around(surface, neighbors, options, v, look)) continue;
             fit_up_to(options, look.around, a);
             result[i] = to_object(curvature_of(jet_of(a)), look.around);
         }
@@ -207,11 +208,11 @@ Array<Curvature> fit_vertices(const Surface& surface, const Neighbors& neighbors
 
 /// RMS residual of the fit at a vertex, in edge lengths; nothing if it is not of the degree asked for with points to
 /// spare.
-std::optional<double> residual_at(const Surface& surface, const Neighbors& neighbors, const Array<vec3>& normals,
-                                  const JetOptions& options, Index v, Look& look) {
+std::optional<double> residual_at(const Surface& surface, const Neighbors& neighbors, const JetOptions& options,
+                                  Index v, Look& look) {
     double a[terms(max_degree)], m[terms(max_degree)];
     const Surroundings& around = look.around;
-    if (!look_around(surface, neighbors, options, normals[v], v, look)) return {};
+    if (!look_around(surface, neighbors, options, v, look)) return {};
     if (around.count < std::size_t(terms(options.degree) + spare_points)) return {};
     if (fit_up_to(options, around, a) != options.degree) return {};
     double squares = 0.0;
@@ -227,26 +228,23 @@ std::optional<double> residual_at(const Surface& surface, const Neighbors& neigh
 
 }  // namespace
 
-Array<Curvature> jet_curvature(const Surface& surface, const Neighbors& neighbors, const Array<vec3>& normals,
-                               const JetOptions& options) {
-    return fit_vertices(surface, neighbors, normals, options, surface.vertex_count(),
+Array<Curvature> jet_curvature(const Surface& surface, const Neighbors& neighbors, const JetOptions& options) {
+    return fit_vertices(surface, neighbors, options, surface.vertex_count(),
                         [](std::size_t i) { return static_cast<Index>(i); });
 }
 
-Array<Curvature> jet_curvature(const Surface& surface, const Neighbors& neighbors, const Array<vec3>& normals,
-                               const JetOptions& options, In<Index> vertices) {
-    return fit_vertices(surface, neighbors, normals, options, vertices.size(),
-                        [&](std::size_t i) { return vertices[i]; });
+Array<Curvature> jet_curvature(const Surface& surface, const Neighbors& neighbors, const JetOptions& options,
+                               In<Index> vertices) {
+    return fit_vertices(surface, neighbors, options, vertices.size(), [&](std::size_t i) { return vertices[i]; });
 }
 
-double jet_noise(const Surface& surface, const Neighbors& neighbors, const Array<vec3>& normals,
-                 const JetOptions& options, Index samples) {
+double jet_noise(const Surface& surface, const Neighbors& neighbors, const JetOptions& options, Index samples) {
     const Index step = std::max<Index>(1, surface.vertex_count() / std::max<Index>(1, samples));
     tbb::enumerable_thread_specific<Look> looks([&] { return Look(surface.vertex_count()); });
     const auto fit_some = [&](std::size_t begin, std::size_t end, Array<double>& noise) {
         Look& look = looks.local();
         for (std::size_t i = begin; i < end; ++i)
-            if (const auto residual = residual_at(surface, neighbors, normals, options, Index(i) * step, look))
+            if (const auto residual = residual_at(surface, neighbors, options, Index(i) * step, look))
                 noise.push_back(*residual);
     };
     Array<double> noise = parallel_collect<double>((surface.vertex_count() + step - 1) / step, 64, fit_some);

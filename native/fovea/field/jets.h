@@ -17,18 +17,16 @@ struct JetOptions {
 /// Curvature per vertex; converges on irregular meshes, too. If there are too few points for the degree, more rings are
 /// added, then the degree is lowered; if not even degree 2 is determined (fewer than 6 points, or all on one line or
 /// conic), k and C are zero and the frame is arbitrary. All zero for a vertex without triangles. Neighborhoods stop at
-/// hard edges. `normals`: vertex_normals for these neighbors. Cazals & Pouget, "Estimating Differential Quantities
-/// Using Polynomial Fitting of Osculating Jets", CAGD 2005.
-Array<Curvature> jet_curvature(const Surface& surface, const Neighbors& neighbors, const Array<vec3>& normals,
-                               const JetOptions& options);
+/// hard edges. Cazals & Pouget, "Estimating Differential Quantities Using Polynomial Fitting of Osculating Jets", CAGD
+/// 2005.
+Array<Curvature> jet_curvature(const Surface& surface, const Neighbors& neighbors, const JetOptions& options);
 
 /// The same of these vertices alone.
-Array<Curvature> jet_curvature(const Surface& surface, const Neighbors& neighbors, const Array<vec3>& normals,
-                               const JetOptions& options, In<Index> vertices);
+Array<Curvature> jet_curvature(const Surface& surface, const Neighbors& neighbors, const JetOptions& options,
+                               In<Index> vertices);
 
 /// Estimated noise of positions: RMS residual of these fits in units of the mean edge length, as the median over about
 /// `samples` vertices at equal index steps. Zero if nothing can be fitted.
-double jet_noise(const Surface& surface, const Neighbors& neighbors, const Array<vec3>& normals,
-                 const JetOptions& options, Index samples = 500);
+double jet_noise(const Surface& surface, const Neighbors& neighbors, const JetOptions& options, Index samples = 500);
 
 }  // namespace fovea::field

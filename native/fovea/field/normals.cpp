@@ -7,17 +7,21 @@
 #include <fovea/mesh/corners.h>
 
 namespace fovea::field {
+
+vec3 vertex_normal(const Surface& surface, const Neighbors& neighbors, Index vertex) {
+    dvec3 sum(0.0);
+    for (const Index t : neighbors.triangles[vertex]) {
+        const auto [a, b] = sides_from(surface, t, vertex);
+        const double weight = glm::dot(a, a) * glm::dot(b, b);
+        if (weight > 0.0) sum += glm::cross(a, b) / weight;
+    }
+    const double length = glm::length(sum);
+    return length > 0.0 && length < HUGE_VAL ? vec3(sum / length) : vec3(0.0f);
+}
+
 Array<vec3> vertex_normals(const Surface& surface, const Neighbors& neighbors) {
-    return parallel_map<vec3>(surface.vertex_count(), [&](std::size_t v) {
-        dvec3 sum(0.0);
-        for (const Index t : neighbors.triangles[Index(v)]) {
-            const auto [a, b] = sides_from(surface, t, Index(v));
-            const double weight = glm::dot(a, a) * glm::dot(b, b);
-            if (weight > 0.0) sum += glm::cross(a, b) / weight;
-        }
-        const double length = glm::length(sum);
-        return length > 0.0 && length < HUGE_VAL ? vec3(sum / length) : vec3(0.0f);
-    });
+    return parallel_map<vec3>(surface.vertex_count(),
+                              [&](std::size_t v) { return vertex_normal(surface, neighbors, Index(v)); });
 }
 
 dvec3 corner_areas(const dvec3& p0, const dvec3& p1, const dvec3& p2) {

@@ -6,8 +6,11 @@
 
 namespace fovea::field {
 
-/// Unit normals, per vertex: means of triangle normals with weights that make them exact on spheres. Zero where a
+/// Unit normal of a vertex: the mean of triangle normals with weights that make it exact on spheres. Zero where the
 /// vertex has no triangle with positive area. Max, "Weights for Computing Vertex Normals from Facet Normals", JGT 1999.
+vec3 vertex_normal(const Surface& surface, const Neighbors& neighbors, Index vertex);
+
+/// The same, per vertex.
 Array<vec3> vertex_normals(const Surface& surface, const Neighbors& neighbors);
 
 /// Area of a triangle divided among its corners: Voronoi areas, clipped to the triangle if it is obtuse. All zero for a

@@ -25,6 +25,18 @@ constexpr double least_inside = 0.3;  // of the area
 constexpr std::size_t run_of_triangles = 64;
 constexpr std::size_t most_triangles = 100'000, most_fitted = 10'000;
 
+/// An edge between two facets; length 0: another edge.
+struct Bend {
+    double length = 0.0, turn = 0.0;
+};
+
+Bend bend_at(const Surface& surface, Index edge) {
+    if (surface.edge_rows.size(edge) != 2) return {};
+    const Edge& ends = surface.edges[edge];
+    const double length = glm::distance(dvec3(surface.positions[ends.x]), dvec3(surface.positions[ends.y]));
+    return length > 0.0 ? Bend{length, signed_turn(surface, edge)} : Bend{};
+}
+
 /// What the edges and triangles at a vertex sum up to.
 struct Around {
     double length = 0.0;         // of its edges
@@ -35,6 +47,16 @@ struct Around {
     dmat3 bend{0.0};             // signed turns times length, on the directions of the edges: flat along them
     bool folded = false;
 
+    void add_edge(const Surface& surface, Index edge, const Bend& by) {
+        const Edge& ends = surface.edges[edge];
+        const dvec3 along = dvec3(surface.positions[ends.y]) - dvec3(surface.positions[ends.x]);
+        const bool folds = std::abs(by.turn) > fold;
+        length += by.length;
+        turn += std::abs(by.turn) * by.length;
+        bend += folds ? dmat3(0.0) : by.turn / by.length * glm::outerProduct(along, along);
+        folded = folded || folds;
+        if (is_shaded_smooth(surface, edge)) smooth_length += by.length;
+    }
     double mean_turn() const { return length > 0.0 ? turn / length : 0.0; }
     double greatest_turn() const {
         return length > 0.0 ? glm::mix(most_turn, most_turn_if_smooth, smooth_length / length) : 0.0;
@@ -53,18 +75,6 @@ struct Around {
         return !folded && mean_turn() > least_turn && mean_turn() < greatest_turn() && bends_both_ways();
     }
 };
-
-/// An edge between two facets; length 0: another edge.
-struct Bend {
-    double length = 0.0, turn = 0.0;
-};
-
-Bend bend_at(const Surface& surface, Index edge) {
-    if (surface.edge_rows.size(edge) != 2) return {};
-    const Edge& ends = surface.edges[edge];
-    const double length = glm::distance(dvec3(surface.positions[ends.x]), dvec3(surface.positions[ends.y]));
-    return length > 0.0 ? Bend{length, signed_turn(surface, edge)} : Bend{};
-}
 
 /// The triangles that are looked at, if at most so many are: every first, second, third ... run of them.
 struct Looked {
@@ -118,38 +128,31 @@ Array<Around> sum_up(const Surface& surface, const Sample& sample) {
     const auto normals = parallel_map<dvec3>(triangles.size(), [&](std::size_t i) {
         return area_vector(surface.positions, surface.triangles[triangles[i]]) / 6.0;
     });
-    Array<Around> around(sample.count);
-    // Blocks of slots, each of which meets all edges: so every sum has one order.
-    const std::size_t block = std::max<std::size_t>(4096, around.size() / 16 + 1);
-    parallel_blocks(around.size(), block, [&](std::size_t, std::size_t begin, std::size_t end) {
-        const auto is_own = [&](Index slot) { return slot - begin < end - begin; };
-        for (Index i = 0; i < edges.size(); ++i) {
-            const Edge& ends = surface.edges[edges[i]];
-            const Index slots[] = {sample.slot[ends.x], sample.slot[ends.y]};
-            if (!(is_own(slots[0]) || is_own(slots[1])) || !(bends[i].length > 0.0)) continue;
-            const auto [length, turn] = bends[i];
-            const dvec3 along = dvec3(surface.positions[ends.y]) - dvec3(surface.positions[ends.x]);
-            const bool folds = std::abs(turn) > fold;
-            const dmat3 bend = folds ? dmat3(0.0) : turn / length * glm::outerProduct(along, along);
-            for (const Index slot : slots) {
-                if (!is_own(slot)) continue;
-                Around& at = around[slot];
-                at.length += length;
-                at.turn += std::abs(turn) * length;
-                at.bend += bend;
-                at.folded = at.folded || folds;
-                if (is_shaded_smooth(surface, edges[i])) at.smooth_length += length;
-            }
-        }
-        for (std::size_t i = 0; i < triangles.size(); ++i)
-            for (int k = 0; k < 3; ++k) {
-                const Index slot = sample.slot[surface.triangles[triangles[i]][k]];
-                if (!is_own(slot)) continue;
-                around[slot].normal += normals[i];
-                around[slot].area += glm::length(normals[i]);
-            }
+    const auto at_slots = [&](std::size_t count, const auto& corners_of) {
+        return lists_of<Index>(sample.count, [&](const auto& give) {
+            for (Index i = 0; i < count; ++i)
+                corners_of(i, [&](Index v) {
+                    if (sample.slot[v] != none) give(sample.slot[v], i);
+                });
+        });
+    };
+    const auto edges_at = at_slots(edges.size(), [&](Index i, const auto& visit) {
+        if (!(bends[i].length > 0.0)) return;
+        visit(surface.edges[edges[i]].x);
+        visit(surface.edges[edges[i]].y);
     });
-    return around;
+    const auto triangles_at = at_slots(triangles.size(), [&](Index i, const auto& visit) {
+        for (int k = 0; k < 3; ++k) visit(surface.triangles[triangles[i]][k]);
+    });
+    return parallel_map<Around>(sample.count, [&](std::size_t slot) {
+        Around at;
+        for (const Index i : edges_at[Index(slot)]) at.add_edge(surface, edges[i], bends[i]);
+        for (const Index i : triangles_at[Index(slot)]) {
+            at.normal += normals[i];
+            at.area += glm::length(normals[i]);
+        }
+        return at;
+    });
 }
 
 struct Rounded {

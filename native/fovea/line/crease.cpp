@@ -59,8 +59,7 @@ void mark(const SurfaceView& seen, const Crease& values, Kinds bit, Array<Kinds>
     }
     if (!any_asked) return;
     std::function<double()> least;
-    if (!hard && values.length > 0.0)
-        least = [&] { return values.length * field::fields_of(surface)->feature_size; };
+    if (!hard && values.length > 0.0) least = [&] { return values.length * field::fields_of(surface)->feature_size; };
     const Array<std::uint8_t> folds = find_folds(edges, shape, values.angle, least);
     mark_edges(surface.mesh_edges, bit, kinds, [&](Index e) { return folds[e] != 0; });
 }

@@ -23,8 +23,7 @@ dvec3 vector_of(const Surface& surface, Index edge) {
 
 }  // namespace
 
-Turns::Turns(const field::FacetEdges& edges)
-    : surface_(edges.surface), turn_(edges.turn), of_facet_(edges.of_facet) {
+Turns::Turns(const field::FacetEdges& edges) : surface_(edges.surface), turn_(edges.turn), of_facet_(edges.of_facet) {
     triangles_ = lists_of<Index>(surface_.vertex_count(), [&](const auto& give) {
         for (Index t = 0; t < surface_.triangles.size(); ++t)
             for (int k = 0; k < 3; ++k) give(surface_.triangles[t][k], t);

@@ -165,8 +165,7 @@ inline double bend_across(const dvec3 (&p)[3], const dvec3 (&uphill)[3], int alo
 /// Appends the segment of a crest in one triangle; see trace_maxima.
 template <typename Uphill, typename Margin, typename Strength>
 static void append_maximum(const Surface& surface, const TriangleSides& sides, Index triangle, const Uphill& uphill,
-                           float least_bend, const Margin& margin, const Strength& strength,
-                           Array<CurvePiece>& out) {
+                           float least_bend, const Margin& margin, const Strength& strength, Array<CurvePiece>& out) {
     const Triangle& corners = surface.triangles[triangle];
     const vec3 climb[3] = {uphill(corners.x), uphill(corners.y), uphill(corners.z)};
     ZeroCrossing ends[2];

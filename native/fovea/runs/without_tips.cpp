@@ -34,7 +34,7 @@ double distance_to(const dvec2& p, const dvec2& a, const dvec2& b) {
 
 /// Ends of the groups that may be tips, sorted by cells of `touch_px`.
 Array<End> ends_of(const ClippedPaths& clipped, const Runs& runs, const Groups& groups, double tip_px,
-                         double touch_px) {
+                   double touch_px) {
     Array<End> ends;
     for (std::size_t r = 0; r < runs.size(); ++r) {
         const Index group = groups.of_run[r];
@@ -52,8 +52,8 @@ Array<End> ends_of(const ClippedPaths& clipped, const Runs& runs, const Groups& 
 }
 
 /// The groups other than an end's own that have a run within `touch_px` of it, sorted by ends.
-Array<Touch> touches_of(const ClippedPaths& clipped, const Runs& runs, const Groups& groups,
-                        const Array<End>& ends, double touch_px) {
+Array<Touch> touches_of(const ClippedPaths& clipped, const Runs& runs, const Groups& groups, const Array<End>& ends,
+                        double touch_px) {
     const auto add = [&](const dvec2& a, const dvec2& b, Index group, Array<Touch>& out) {
         const dvec2 low = glm::floor((glm::min(a, b) - touch_px) / touch_px);
         const dvec2 high = glm::floor((glm::max(a, b) + touch_px) / touch_px);

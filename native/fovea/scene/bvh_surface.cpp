@@ -155,10 +155,10 @@ void SurfaceBvh::build(const Surface& surface) const {
     if (moves_) {
         rtcSetGeometryBuildQuality(geometry_, RTC_BUILD_QUALITY_REFIT);
         rtcCommitGeometry(geometry_);
+        hash_ = hash_of_triangles(surface);
+        neighbors_ = neighbors(surface);
+        spread_ = spread(surface, neighbors_);
     }
-    hash_ = hash_of_triangles(surface);
-    neighbors_ = neighbors(surface);
-    spread_ = spread(surface, neighbors_);
     build_bvh(scene_.get(), surface.name());
 }
 
