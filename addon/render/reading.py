@@ -37,12 +37,15 @@ class Reader:
         with_marks = catalogue.read_edge_marks(chosen.line_sets)
         colors = color_sources.Gathering(core, self.colors) if with_colors and chosen.has_color() else None
         noted = notes.Gathering(core, self.colors, chosen)
-        beside = {"colors": colors, "notes": noted, "cancel": cancel}
-        found = scene.gather(
-            depsgraph, cache, with_marks=with_marks, viewport=viewport, images=self.colors.images, **beside
-        )
-        placed, told = scene.placed(core, found), noted.notes(properties.density_map(depsgraph.scene_eval), found)
-        sources = colors and colors.sources(depsgraph.scene, found.surface_of_placement)
+        with native.refusals():
+            ahead = core.Ahead(chosen, cancel)
+        with ahead:
+            beside = {"colors": colors, "notes": noted, "cancel": cancel, "ahead": ahead}
+            found = scene.gather(
+                depsgraph, cache, with_marks=with_marks, viewport=viewport, images=self.colors.images, **beside
+            )
+            placed, told = scene.placed(core, found), noted.notes(properties.density_map(depsgraph.scene_eval), found)
+            sources = colors and colors.sources(depsgraph.scene, found.surface_of_placement)
         remarks = (*cache.remarks, *(colors.remarks() if colors else ()))
         seconds = time.perf_counter() - start
         changed = bool(cache.rebuilt or cache.moved)

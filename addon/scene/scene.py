@@ -19,10 +19,11 @@ USAGE = {"BOTH": DRAW | OCCLUDE, "OCCLUDE": OCCLUDE, "DRAW": DRAW, "IGNORE": 0}
 
 class _Gathering:
     """Collects placements during the traversal of a depsgraph; one surface per distinct (evaluated mesh, materials,
-    subdivision plan, repair, curvature settings, shape). `beside`: further Gatherings that get each surface."""
+    subdivision plan, repair, curvature settings, shape). `beside`: further Gatherings that get each surface; `ahead`: a
+    native Ahead that does, or None."""
 
-    def __init__(self, cache, depsgraph, viewport, with_marks, beside, images, sizes):
-        self.beside, self.sizes = beside, sizes
+    def __init__(self, cache, depsgraph, viewport, with_marks, beside, images, sizes, ahead):
+        self.beside, self.sizes, self.ahead = beside, sizes, ahead
         self.opacities = images and cut_outs.Opacities(images)
         self.cache, self.with_marks = cache, with_marks
         self.depsgraph, self.layer, self.viewport = depsgraph, depsgraph.view_layer_eval, viewport
@@ -112,12 +113,18 @@ class _Gathering:
                     self.cache.remarks += [sentence for sentence in told if sentence not in self.cache.remarks]
                 surface.set_field_options(*curvature)
                 cage = partial(subdivision.cage, obj, mesh, plan, self.depsgraph)
-                for gathering in self.beside:
-                    gathering.add_surface(obj, mesh, surface, cage, repaired=mend is not None)
-                self.surfaces.append(surface)
-                self.slots.append(slots)
+                self.add_surface(obj, mesh, surface, slots, cage, repaired=mend is not None)
             self.index_of[met] = self.index_of[shared]
         return self.index_of[met]
+
+    def add_surface(self, obj, mesh, surface, slots, cage, *, repaired):
+        """Adds a surface that nothing changes any more in this pass."""
+        if self.ahead:
+            self.ahead.add(surface)
+        for gathering in self.beside:
+            gathering.add_surface(obj, mesh, surface, cage, repaired=repaired)
+        self.surfaces.append(surface)
+        self.slots.append(slots)
 
     def cuts(self, obj, mesh, slots, plan, mend):
         """(CutOuts of an evaluated mesh or None, remarks)."""
@@ -158,10 +165,7 @@ class _Gathering:
             surface = self.cache.bare((obj.name_full, shape.name, slots), obj.name, shape, slots)
             self.index_of[place] = None if surface is None else len(self.surfaces)
             if surface is not None:
-                for gathering in self.beside:
-                    gathering.add_surface(shape, shape, surface, None, repaired=True)
-                self.surfaces.append(surface)
-                self.slots.append(slots)
+                self.add_surface(shape, shape, surface, slots, None, repaired=True)
         if self.index_of[place] is not None:
             self.add_origin(self.index_of[place], instance, usage, shape)
 
@@ -236,17 +240,19 @@ class _Gathering:
         return Snapshot(self.surfaces, self.slots, self.origins, origin_of, matrices[steps], ids, usage, *told)
 
 
-def gather(depsgraph, cache, *, with_marks=True, viewport=None, images=None, colors=None, notes=None, cancel=None):
+def gather(
+    depsgraph, cache, *, with_marks=True, viewport=None, images=None, colors=None, notes=None, cancel=None, ahead=None
+):
     """The Snapshot of an evaluated depsgraph. `viewport`: its SpaceView3D; None for a final render. `images`: an
     ImageCache for opacity, None: nothing is cut out. `colors`: a color_sources.Gathering to fill, or None; `notes`: a
-    notes.Gathering to fill, or None. `cancel`: a native Cancel, or None.
+    notes.Gathering to fill, or None. `cancel`: a native Cancel, or None; `ahead`: a native Ahead, or None.
 
     Curves, text, surfaces and metaballs are read as the meshes that Blender converts them to; hair and point clouds by
     bare_shapes.py. Hidden objects and collections are not among the depsgraph's instances.
     """
     beside = [beside for beside in (colors, notes) if beside]
     sizes = _sizes(depsgraph, cancel) if images else {}
-    gathering = _Gathering(cache, depsgraph, viewport, with_marks, beside, images, sizes)
+    gathering = _Gathering(cache, depsgraph, viewport, with_marks, beside, images, sizes, ahead)
     cache.begin()
     matrices, persistent, kinds = instances.read(depsgraph.object_instances, gathering.meet, cancel)
     for step in np.flatnonzero(np.isin(kinds, list(gathering.lights))) if colors else ():

@@ -4,6 +4,7 @@
 #include <pybind11/stl/filesystem.h>
 #include <pybind11/typing.h>
 
+#include <fovea/draw/ahead.h>
 #include <fovea/draw/polylines.h>
 #include <fovea/visibility/exact.h>
 
@@ -123,6 +124,19 @@ void bind_backend(py::module_& m) {
         .def_readwrite("most_side", &CpuBackend::most_side);
 }
 
+void bind_ahead(py::module_& m) {
+    py::class_<Ahead>(m, "Ahead",
+                      "Computes what frames of a style will need of surfaces, on other threads, while others are read. "
+                      "As a context: at its end what was not begun is left, and the rest is waited for.")
+        .def(py::init<const style::Style&, std::shared_ptr<Cancel>>(), py::arg("style"), py::arg("cancel"),
+             "cancel: a Cancel, or None")
+        .def(
+            "add", [](Ahead& ahead, std::shared_ptr<Surface> surface) { ahead.add(std::move(surface)); },
+            py::arg("surface"), "A surface that is not changed before the end.")
+        .def("__enter__", [](py::object self) { return self; })
+        .def("__exit__", [](Ahead& ahead, const py::args&) { without_gil([&] { ahead.finish(); }); });
+}
+
 void bind_parts(py::module_& m) {
     bind_record<Options>(m, "Options",
                          "Numbers of the method that are not the style's; see native/fovea/draw/options.h.");
@@ -217,6 +231,7 @@ void bind_members(FrameClass& frame) {
 void bind_draw(py::module_& m) {
     FrameClass frame(m, "Frame",
                      "One picture on its way: each step takes those before it; see native/fovea/draw/frame.h.");
+    bind_ahead(m);
     bind_backend(m);
     bind_parts(m);
     bind_steps(frame);

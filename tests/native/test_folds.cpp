@@ -203,9 +203,10 @@ TEST(Folds, AskForTheLeastLengthOnceIfAnyDependsOnItElseNever) {
         line::find_folds(field::FacetEdges(*surface), Shape::rounded, 30.0, [&] { return ++times, 1e-3; });
         return times;
     };
-    EXPECT_EQ(asked(extruded({5, 60, 5}, 8)), 1);
-    EXPECT_EQ(asked(extruded({5, 5, 5}, 8)), 0);   // no folds
-    EXPECT_EQ(asked(extruded({5, 60, 5}, 1)), 0);  // of one edge, which is left out whatever its length
+    EXPECT_EQ(asked(extruded({60}, 2)), 1);
+    EXPECT_EQ(asked(extruded({60}, 3)), 0);  // grooves of three edges are kept however short
+    EXPECT_EQ(asked(extruded({60}, 1)), 0);  // one edge is left out whatever its length
+    EXPECT_EQ(asked(extruded({5, 5}, 8)), 0);
 }
 
 TEST(Folds, AreThoseOfTheShapeWhateverItsSizePlaceAndOrder) {

@@ -96,6 +96,8 @@ struct SceneRule {
     std::function<std::vector<SceneCurves>(const Scene& scene, In<Index> drawn, const Values& values,
                                            const Cancel& cancel)>
         find;
+    /// Computes and caches with a surface what `find` will need of it alone.
+    std::function<void(const Surface& surface, const Values& values, const Cancel& cancel)> find_ahead;
 };
 
 /// Lines in image space, found once per frame. Points are in view space; triangles and sides are those of a lattice.

@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <iterator>
 #include <map>
 #include <mutex>
 #include <optional>
@@ -36,6 +35,7 @@ const Parameters<Intersection> parameters{
 
 /// Frames after which results that are not requested are evicted.
 constexpr std::uint64_t kept_frames = 16;
+std::atomic<std::uint64_t> frames{0};
 
 /// Number of overlapping instances of the same surface from which a placement counts as part of a heap (leaves, grass,
 /// gravel): there would be very many intersection lines, none of them useful.
@@ -44,7 +44,7 @@ constexpr Index heap = 24;
 /// Products of larger coordinates overflow.
 constexpr double farthest = 1e18;
 
-/// Cache of the intersections of one surface with others, and with itself.
+/// Cache of the intersections of one surface with others, and with itself (key 0).
 struct KeptPairs {
     struct Entry {
         std::shared_ptr<const KeptCurves> curves;
@@ -71,7 +71,7 @@ struct KeptPairs {
     }
 };
 
-/// Two placements, or the same one twice.
+/// Two placements.
 struct Pair {
     Index first, second;
     Affine second_to_first{1.0};
@@ -145,15 +145,9 @@ Array<std::pair<Index, Index>> overlapping_placements(const Scene& scene, In<Ind
     return pairs;
 }
 
-/// Pairs of one placement of each surface with itself, and then, if wanted, of those that overlap.
-std::vector<Pair> pairs_of(const Scene& scene, In<Index> drawn, const Intersection& values) {
+/// The pairs of placements that overlap, the one that keeps their result first.
+std::vector<Pair> pairs_of(const Scene& scene, In<Index> drawn) {
     std::vector<Pair> pairs;
-    std::unordered_set<const Surface*> surfaces;
-    if (values.within)
-        for (const Index placement : drawn)
-            if (surfaces.insert(scene.placements[placement].surface.get()).second)
-                pairs.push_back({placement, placement});
-    if (!values.between) return pairs;
     for (const auto& [i, j] : overlapping_placements(scene, drawn)) {
         Pair pair{i, j};
         if (scene.placements[pair.second].id < scene.placements[pair.first].id) std::swap(pair.first, pair.second);
@@ -166,10 +160,7 @@ std::vector<Pair> pairs_of(const Scene& scene, In<Index> drawn, const Intersecti
     return pairs;
 }
 
-std::shared_ptr<const KeptCurves> find_pair(const Scene& scene, const Pair& pair, const Cancel& cancel) {
-    const Surface &first = *scene.placements[pair.first].surface, &second = *scene.placements[pair.second].surface;
-    const Crossings crossings =
-        pair.first == pair.second ? cross_itself(first, cancel) : cross(first, second, pair.second_to_first, cancel);
+std::shared_ptr<const KeptCurves> kept_curves(const Crossings& crossings) {
     auto curves = std::make_shared<KeptCurves>();
     curves->pieces = parallel_map<CurvePiece>(crossings.size(), [&](std::size_t i) -> CurvePiece {
         const Crossing& c = crossings[i];
@@ -182,18 +173,32 @@ std::shared_ptr<const KeptCurves> find_pair(const Scene& scene, const Pair& pair
     return curves;
 }
 
+std::shared_ptr<KeptPairs> kept_pairs(const Surface& surface) {
+    return *surface.cache().get<std::shared_ptr<KeptPairs>>(0, [] { return std::make_shared<KeptPairs>(); });
+}
+
+/// Where a surface passes through itself. Not computed while its cache is locked: parallel loops in it query that, too.
+std::shared_ptr<const KeptCurves> find_within(const Surface& surface, std::uint64_t frame, const Cancel& cancel) {
+    const auto store = kept_pairs(surface);
+    auto curves = store->find(0, frame);
+    if (!curves) store->keep(0, frame, curves = kept_curves(cross_itself(surface, cancel)));
+    return curves;
+}
+
+std::shared_ptr<const KeptCurves> find_pair(const Scene& scene, const Pair& pair, const Cancel& cancel) {
+    const Surface &first = *scene.placements[pair.first].surface, &second = *scene.placements[pair.second].surface;
+    return kept_curves(cross(first, second, pair.second_to_first, cancel));
+}
+
 /// Results for pairs, of which those that are equal are computed once and kept.
 std::vector<std::shared_ptr<const KeptCurves>> find_pairs(const Scene& scene, const std::vector<Pair>& pairs,
-                                                          const Cancel& cancel) {
-    static std::atomic<std::uint64_t> frames{0};
-    const std::uint64_t frame = ++frames;
+                                                          std::uint64_t frame, const Cancel& cancel) {
     std::vector<std::shared_ptr<KeptPairs>> stores(pairs.size());
     std::vector<std::shared_ptr<const KeptCurves>> found(pairs.size());
     // For each missing result, the first pair that needs it.
     std::map<std::pair<const void*, std::uint64_t>, std::size_t> missing;
     for (std::size_t i = 0; i < pairs.size(); ++i) {
-        const Surface& surface = *scene.placements[pairs[i].first].surface;
-        stores[i] = *surface.cache().get<std::shared_ptr<KeptPairs>>(0, [] { return std::make_shared<KeptPairs>(); });
+        stores[i] = kept_pairs(*scene.placements[pairs[i].first].surface);
         found[i] = stores[i]->find(pairs[i].key, frame);
         if (!found[i]) missing.try_emplace({stores[i].get(), pairs[i].key}, i);
     }
@@ -209,25 +214,42 @@ std::vector<std::shared_ptr<const KeptCurves>> find_pairs(const Scene& scene, co
     return found;
 }
 
-std::vector<SceneCurves> find(const Scene& scene, In<Index> drawn, const Intersection& values, const Cancel& cancel) {
-    const std::vector<Pair> pairs = pairs_of(scene, drawn, values);
-    const auto curves = find_pairs(scene, pairs, cancel);
-    std::unordered_map<const Surface*, std::shared_ptr<const KeptCurves>> within;
-    std::vector<SceneCurves> between;
-    for (std::size_t i = 0; i < pairs.size(); ++i) {
-        const auto [first, second] = std::pair(pairs[i].first, pairs[i].second);
-        if (first != second)
-            between.push_back({first, second, curves[i]});
-        else if (!curves[i]->pieces.empty())
-            within.emplace(scene.placements[first].surface.get(), curves[i]);
-    }
-    std::vector<SceneCurves> found;
-    if (!within.empty())
-        for (const Index i : drawn)
-            if (const auto own = within.find(scene.placements[i].surface.get()); own != within.end())
-                found.push_back({i, i, own->second});
-    std::ranges::move(between, std::back_inserter(found));
+/// The surfaces of placements, each once.
+std::vector<const Surface*> surfaces_of(const Scene& scene, In<Index> placements) {
+    std::vector<const Surface*> found;
+    std::unordered_set<const Surface*> met;
+    for (const Index i : placements)
+        if (met.insert(scene.placements[i].surface.get()).second) found.push_back(scene.placements[i].surface.get());
     return found;
+}
+
+std::vector<SceneCurves> find(const Scene& scene, In<Index> drawn, const Intersection& values, const Cancel& cancel) {
+    std::vector<const Surface*> surfaces;
+    std::vector<Pair> pairs;
+    if (values.within) surfaces = surfaces_of(scene, drawn);
+    if (values.between) pairs = pairs_of(scene, drawn);
+    std::vector<std::shared_ptr<const KeptCurves>> within(surfaces.size()), between;
+    const std::uint64_t frame = ++frames;
+    parallel_invoke(
+        [&] {
+            parallel_for(surfaces.size(), 1,
+                         [&](std::size_t i) { within[i] = find_within(*surfaces[i], frame, cancel); });
+        },
+        [&] { between = find_pairs(scene, pairs, frame, cancel); });
+    std::unordered_map<const Surface*, std::shared_ptr<const KeptCurves>> of_surface;
+    for (std::size_t i = 0; i < surfaces.size(); ++i)
+        if (!within[i]->pieces.empty()) of_surface.emplace(surfaces[i], within[i]);
+    std::vector<SceneCurves> found;
+    if (!of_surface.empty())
+        for (const Index i : drawn)
+            if (const auto own = of_surface.find(scene.placements[i].surface.get()); own != of_surface.end())
+                found.push_back({i, i, own->second});
+    for (std::size_t i = 0; i < pairs.size(); ++i) found.push_back({pairs[i].first, pairs[i].second, between[i]});
+    return found;
+}
+
+void find_ahead(const Surface& surface, const Intersection& values, const Cancel& cancel) {
+    if (values.within) find_within(surface, frames, cancel);
 }
 
 }  // namespace
@@ -240,7 +262,7 @@ extern const LineDefinition intersection = {
     .scope = Scope::placements,
     .importance = 0.4,
     .parameters = parameters,
-    .rule = SceneRule{parameters.of(find)},
+    .rule = SceneRule{parameters.of(find), parameters.of(find_ahead)},
     .usual = true,
 };
 

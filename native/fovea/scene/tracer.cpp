@@ -44,6 +44,8 @@ Tracer::Tracer(const Scene& scene, const View& view)
 
 Tracer::~Tracer() = default;
 
+void prepare_rays(const Surface& surface) { bvh_of(surface); }
+
 Ray Tracer::ray_to(const vec3& point) const {
     if (view_.orthographic) {
         const float near_z = static_cast<float>(-view_.near_clip), length = near_z - point.z;

@@ -145,4 +145,7 @@ class Tracer {
     std::unique_ptr<Bvh> bvh_;
 };
 
+/// Builds what a Tracer will need of a surface that hides; cached with it.
+void prepare_rays(const Surface& surface);
+
 }  // namespace fovea::scene
