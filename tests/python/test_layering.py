@@ -14,7 +14,7 @@ PROJECT = Path(__file__).parents[2]
 # A native folder includes itself and those before it.
 NATIVE = (
     "base raster mesh field scene repair cutout image line style path project visibility runs focus elision stroke "
-    "color draw"
+    "color draw vector"
 ).split()
 
 # What uses the core: each includes itself and all of the core.
