@@ -24,7 +24,7 @@ void bind_vector(py::module_& m) {
     m.attr("SHEETS") = choices<vector::Sheet>();
     m.attr("WIDTHS") = choices<vector::Widths>();
     py::class_<vector::Drawing, std::shared_ptr<vector::Drawing>>(m, "Drawing",
-                                                                 "A frame's strokes as layers of curves.")
+                                                                  "A frame's strokes as layers of curves.")
         .def(py::init([](Frame& frame, const vector::Options& options) {
                  return std::make_shared<vector::Drawing>(vector::compose(frame, options));
              }),

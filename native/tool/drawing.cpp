@@ -11,6 +11,7 @@
 #include <fovea/color/srgb.h>
 #include <fovea/style/json.h>
 #include <fovea/style/json_value.h>
+#include <fovea/vector/svg.h>
 
 namespace fovea::tool {
 namespace {
@@ -68,8 +69,15 @@ void write_png(const Frame& frame, const std::filesystem::path& file) {
         const vec4& pixel = frame.passes.combined[i];
         for (int c = 0; c < 3; ++c) rgb[3 * i + c] = srgb_byte(pixel[c] + 1.0f - pixel.a);
     });
-    const std::string bytes = png_bytes(rgb, view.width, view.height);
-    write_whole(bytes, file);
+    write_whole(png_bytes(rgb, view.width, view.height), file);
+}
+
+bool is_vectors(const std::filesystem::path& file) { return file.extension() == ".svg"; }
+
+vector::Figures write_vectors(Frame& frame, const vector::Options& options, const std::filesystem::path& file) {
+    const vector::Drawing drawing = vector::compose(frame, options);
+    write_whole(vector::svg_bytes(drawing.document), file);
+    return drawing.figures;
 }
 
 }  // namespace fovea::tool

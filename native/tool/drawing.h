@@ -6,7 +6,7 @@
 #include <tool/camera.h>
 #include <tool/model.h>
 
-#include <fovea/draw/frame.h>
+#include <fovea/vector/compose.h>
 
 namespace fovea::tool {
 
@@ -25,5 +25,11 @@ Frame frame_of(const Model& model, const Camera& camera, const style::Style& sty
 /// Writes a frame's combined pass, over white where there is no paper, as an 8-bit sRGB PNG. The file is written
 /// completely or not at all. Throws std::invalid_argument, naming it, if it cannot be written.
 void write_png(const Frame& frame, const std::filesystem::path& file);
+
+/// Whether a file's name says that it has vectors.
+bool is_vectors(const std::filesystem::path& file);
+
+/// Writes a frame's strokes as vectors, as write_png does pixels. How much there is in the file.
+vector::Figures write_vectors(Frame& frame, const vector::Options& options, const std::filesystem::path& file);
 
 }  // namespace fovea::tool

@@ -79,4 +79,10 @@ ordered_json statistics(const Model& model, const Frame& frame) {
     return found;
 }
 
+nlohmann::ordered_json statistics(const vector::Figures& figures) {
+    nlohmann::ordered_json found;
+    style::for_each_field<vector::Figures>([&](const auto& field) { found[field.name] = figures.*field.member; });
+    return found;
+}
+
 }  // namespace fovea::tool

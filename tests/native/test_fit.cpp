@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Polylines as lines and cubics: what is straight, round or sharp, and the bound on any polyline.
-#include <gtest/gtest.h>
-
 #include <cmath>
+#include <gtest/gtest.h>
 #include <limits>
 #include <numbers>
 #include <random>
@@ -47,7 +46,7 @@ double error(const Points& line, const Curve& curve) {
 void expect_fits(const Points& line, const Curve& curve) {
     ASSERT_FALSE(curve.empty());
     EXPECT_EQ(curve.start(), curve.closed ? curve.end() : line.front());
-    if (!curve.closed) EXPECT_EQ(curve.end(), line.back());
+    EXPECT_EQ(curve.end(), curve.closed ? curve.start() : line.back());
     EXPECT_LE(error(line, curve), tolerance + 1e-5);
 }
 

@@ -60,7 +60,7 @@ bool LineShaper::shape(Index run, DrawnLine& out) const {
     find_fade(clipped, visibility, piece, std::max(runs.start_px[run], first), std::min(runs.end_px[run], last),
               runs.invisibility[run] != 0, fade);
     const double start = fade.start_px, stop = fade.end_px;
-    const bool from_first = start < first + whole_error, to_last = stop > last - whole_error;
+    const bool from_first = start<first + whole_error, to_last = stop> last - whole_error;
     out.closed = clipped.closed[piece] && from_first && to_last;
     cut(clipped, strength, piece, start, stop, line);
     if (!out.closed) lengthen(line, before, after);

@@ -9,108 +9,19 @@
 #include <fovea/base/check.h>
 #include <fovea/color/png.h>
 #include <fovea/color/srgb.h>
-#include <fovea/line/registry.h>
 #include <fovea/vector/fit.h>
-#include <fovea/vector/marks.h>
-#include <fovea/vector/outline.h>
+#include <fovea/vector/plot.h>
 #include <fovea/vector/text.h>
+#include <fovea/vector/tracing.h>
 
 namespace fovea::vector {
 namespace {
-
-constexpr double outline_share = 0.5;  // of the tolerance: a stroke has two sides
-constexpr double mitre_limit = -0.17;  // cosine of the sharpest mitred bend: 100 degrees (stroke/strip.h)
 
 dvec3 displayed(const dvec3& linear) {
     dvec3 color(0.0);
     for (int c = 0; c < 3; ++c) color[c] = color::to_srgb(std::clamp(float(linear[c]), 0.0f, 1.0f));
     return color;
 }
-
-bool is_sharp(const Points& points) {
-    for (std::size_t i = 1; i + 1 < points.size(); ++i) {
-        const dvec2 a = points[i] - points[i - 1], b = points[i + 1] - points[i];
-        if (glm::dot(a, b) < mitre_limit * glm::length(a) * glm::length(b)) return true;
-    }
-    return false;
-}
-
-/// Makes paths of marks.
-class Tracing {
-   public:
-    Tracing(const Frame& frame, const Options& options, const Page& page, const std::vector<Grain>& grains)
-        : frame_(frame), inking_(frame.inking(frame.shown)), options_(options), grains_(grains),
-          tolerance_(options.tolerance / page.unit_mm), scale_(page.scale) {}
-
-    /// The mark as a path, without its id.
-    Path path_of(const Mark& mark) const {
-        const Index number = inking_.pen_of_run[mark.run];
-        const Pen& pen = inking_.pens[number];
-        const Grain& grain = grains_[number];
-        Path path = owner_of(mark);
-        const bool round = pen.look.cap == Cap::round;
-        path.look = {.color = mark.color, .opacity = mark.opacity, .width = mean_width(mark), .round_caps = round,
-                     .round_joins = is_sharp(mark.points)};
-        const bool as_line = options_.widths == Widths::center || !grain.dashes.empty() ||
-                             (is_even(mark) && (!round || mark.closed || (mark.starts && mark.ends)));
-        if (as_line) {
-            path.curves = {fit(mark.points, mark.closed, tolerance_)};
-            add_dashes(mark, pen, grain, path.look);
-            path.look.round_caps = path.look.dashes.empty() ? round && mark.starts && mark.ends : grain.round;
-            if (options_.widths == Widths::center && path.look.dashes.empty()) path.look.round_caps = round;
-        } else {
-            path.look.width = 0.0;
-            path.curves = outline(mark.points, mark.widths, mark.closed, {round && mark.starts, round && mark.ends},
-                                  outline_share * tolerance_);
-        }
-        std::erase_if(path.curves, [](const Curve& curve) { return curve.empty(); });
-        return path;
-    }
-
-   private:
-    /// Whether the width is next to the same all along.
-    bool is_even(const Mark& mark) const {
-        const auto [low, high] = std::ranges::minmax(mark.widths);
-        return high - low <= outline_share * tolerance_;
-    }
-
-    /// What the line of a mark is.
-    Path owner_of(const Mark& mark) const {
-        const Index piece = inking_.runs.piece[mark.run], p = inking_.clipped.path[piece];
-        const Paths& paths = *frame_.paths;
-        Path path;
-        path.invisibility = inking_.runs.invisibility[mark.run];
-        const Index point = inking_.clipped.source[inking_.clipped.segment_at(piece, inking_.runs.start_px[mark.run])];
-        const Kinds kinds = paths.kinds[point];
-        const auto& definitions = line_definitions();
-        for (std::size_t bit = 0; bit < definitions.size() && path.kind.empty(); ++bit)
-            if (kinds >> bit & 1u) path.kind = definitions[bit]->name;
-        const Overrides& overrides = frame_.job.overrides;
-        const Index placement = paths.placement[p];
-        if (placement < overrides.objects_of_placement.size()) {
-            const auto& names = overrides.objects[overrides.objects_of_placement[placement]];
-            if (!names.empty()) path.object = names.front();
-        }
-        return path;
-    }
-
-    void add_dashes(const Mark& mark, const Pen& pen, const Grain& grain, Look& look) const {
-        if (grain.dashes.empty()) return;
-        const double repetition = scale_ * pen.texture_length_px, cut = grain.round ? look.width : 0.0;
-        for (std::size_t k = 0; k < grain.dashes.size(); ++k) {
-            const double length = repetition * grain.dashes[k] + (k % 2 ? cut : -cut);
-            look.dashes.push_back(std::max(length, 0.0));
-        }
-        const double into = mark.arc - repetition * grain.first - 0.5 * cut;
-        look.dash_start = into - repetition * std::floor(into / repetition);
-    }
-
-    const Frame& frame_;
-    const Inking inking_;
-    const Options& options_;
-    const std::vector<Grain>& grains_;
-    double tolerance_, scale_;
-};
 
 /// Layers of the line sets, empty; what is not drawn is taken out later.
 std::vector<Layer> layers_of(const style::Style& style) {
@@ -155,6 +66,76 @@ void check_options(const Options& options) {
     });
 }
 
+/// Names of paths: the id of the line, and the number of the part of it.
+class Names {
+   public:
+    explicit Names(const Frame& frame) : frame_(frame) {}
+
+    std::string next(Index run) {
+        const std::uint64_t id = frame_.paths->id[frame_.clipped->path[frame_.drawn->piece[run]]];
+        return "p" + hexadecimal(id) + "-" + std::to_string(++parts_[id]);
+    }
+
+   private:
+    const Frame& frame_;
+    std::map<std::uint64_t, int> parts_;  // of a line so far
+};
+
+/// The line set of a drawn run.
+Index line_set_of(const Frame& frame, Index run) {
+    return frame.paths->line_set[frame.clipped->path[frame.drawn->piece[run]]];
+}
+
+/// Layers of the line sets with the paths of all marks.
+std::vector<Layer> drawn_layers(const Frame& frame, const std::vector<Mark>& marks, const Tracing& tracing) {
+    std::vector<Path> paths(marks.size());
+    parallel_for(paths.size(), 16, [&](std::size_t i) { paths[i] = tracing.path_of(marks[i]); });
+    std::vector<Layer> layers = layers_of(frame.job.style);
+    Names names(frame);
+    for (std::size_t i = 0; i < paths.size(); ++i) {
+        if (paths[i].curves.empty()) continue;
+        paths[i].id = names.next(marks[i].run);
+        const bool visible = paths[i].invisibility == 0;
+        layers[line_set_of(frame, marks[i].run)].layers[visible].paths.push_back(std::move(paths[i]));
+    }
+    return layers;
+}
+
+/// The same with a layer for each pen, and what a plotter draws of the marks: lines of one width each.
+std::vector<Layer> plotted_layers(const Frame& frame, const std::vector<Mark>& marks, const Tracing& tracing,
+                                  double unit_mm) {
+    std::vector<Layer> layers;
+    Names names(frame);
+    for (const Layer& of_set : layers_of(frame.job.style))
+        for (const Layer& part : of_set.layers) {
+            const bool hidden = &part == &of_set.layers.front();
+            const Index set = Index(layers.size() / 2);
+            std::vector<Line> lines;
+            std::map<std::size_t, double> widths;
+            double width = 0.0;
+            for (std::size_t i = 0; i < marks.size(); ++i) {
+                if (line_set_of(frame, marks[i].run) != set || hidden != (frame.drawn->invisibility[marks[i].run] != 0))
+                    continue;
+                lines.push_back({marks[i].points, marks[i].closed, i});
+                width = std::max(width, mean_width(marks[i]));
+            }
+            layers.push_back({part.id,
+                              std::to_string(layers.size() + 1) + " " + of_set.line_set + (hidden ? " hidden" : ""),
+                              of_set.line_set,
+                              {},
+                              {}});
+            for (const Line& line : as_plotted(std::move(lines), unit_mm)) {
+                Path path = tracing.owner_of(marks[line.origin]);
+                path.look = {.color = marks[line.origin].color, .width = width};
+                path.curves = {fit(line.points, line.closed, tracing.tolerance())};
+                if (path.curves[0].empty()) continue;
+                path.id = names.next(marks[line.origin].run);
+                layers.back().paths.push_back(std::move(path));
+            }
+        }
+    return layers;
+}
+
 }  // namespace
 
 Drawing compose(Frame& frame, const Options& options) {
@@ -165,32 +146,33 @@ Drawing compose(Frame& frame, const Options& options) {
     Document& document = made.document;
     document.size = page.size;
     document.in_pixels = options.sheet == Sheet::pixels;
-    if (options.ground) {
+    if (options.ground && !options.plotter) {
         if (!frame.job.style.paper.transparent) document.paper = displayed(frame.job.style.paper.color);
         document.image = image_of(frame, page);
     }
-    const Marks found =
-        marks_of(frame, page, options.tolerance / page.unit_mm, options.widths == Widths::center);
+    const Cutting cutting = options.plotter                    ? Cutting::elision
+                            : options.widths == Widths::center ? Cutting::unseen
+                                                               : Cutting::by_ink;
+    Marks found = marks_of(frame, page, options.tolerance / page.unit_mm, cutting);
     const Tracing tracing(frame, options, page, found.grains);
-    std::vector<Path> paths(found.marks.size());
-    parallel_for(paths.size(), 16, [&](std::size_t i) { paths[i] = tracing.path_of(found.marks[i]); });
-    document.layers = layers_of(frame.job.style);
-    std::map<std::uint64_t, int> parts;  // of a path so far
     std::set<Index> strokes;
-    for (std::size_t i = 0; i < paths.size(); ++i) {
-        if (paths[i].curves.empty()) continue;
-        const Index run = found.marks[i].run, path = frame.clipped->path[frame.drawn->piece[run]];
-        const std::uint64_t id = frame.paths->id[path];
-        paths[i].id = "p" + hexadecimal(id) + "-" + std::to_string(++parts[id]);
-        strokes.insert(run);
-        for (const Curve& curve : paths[i].curves) made.figures.numbers += 2 * curve.points.size();
-        const bool visible = paths[i].invisibility == 0;
-        document.layers[frame.paths->line_set[path]].layers[visible].paths.push_back(std::move(paths[i]));
-        ++made.figures.paths;
+    for (const Mark& mark : found.marks) strokes.insert(mark.run);
+    if (options.plotter || options.dashes_apart) {
+        std::vector<Mark> dashes;
+        for (const Mark& mark : found.marks)
+            for (Mark& dash : tracing.dashes_of(mark)) dashes.push_back(std::move(dash));
+        found.marks = std::move(dashes);
     }
+    document.layers = options.plotter ? plotted_layers(frame, found.marks, tracing, page.unit_mm)
+                                      : drawn_layers(frame, found.marks, tracing);
     take_out_empty(document.layers);
     made.figures.strokes = strokes.size();
     made.figures.polyline_numbers = found.numbers;
+    for_each_path(document.layers, [&](const Path& path) {
+        ++made.figures.paths;
+        for (const Curve& curve : path.curves) made.figures.numbers += 2 * curve.points.size();
+    });
+    if (options.plotter) put_in_order(document, page.unit_mm, made.figures);
     return made;
 }
 

@@ -13,11 +13,11 @@ namespace fovea::vector {
 struct Look {
     dvec3 color{0.0};  ///< as displayed (sRGB), each in [0,1]
     double opacity = 1.0;
-    double width = 0.0;       ///< of its line; 0: its curves are outlines that are filled (nonzero winding)
-    bool round_caps = true;   ///< of lines: else they are cut off straight
-    bool round_joins = false; ///< of lines: else mitred
+    double width = 0.0;               ///< of its line; 0: its curves are outlines that are filled (nonzero winding)
+    bool round_caps = true;           ///< of lines: else they are cut off straight
+    bool round_joins = false;         ///< of lines: else mitred
     std::vector<double> dashes = {};  ///< lengths drawn and left out in turn; empty: all is drawn
-    double dash_start = 0.0;     ///< how far into them the line begins
+    double dash_start = 0.0;          ///< how far into them the line begins
 
     bool operator==(const Look&) const = default;
 };
@@ -34,7 +34,7 @@ struct Path {
 
 struct Layer {
     std::string id, label;
-    std::string line_set;       ///< its name; empty: of none, or inside its layer
+    std::string line_set;  ///< its name; empty: of none, or inside its layer
     std::vector<Path> paths;
     std::vector<Layer> layers;  ///< above its own paths, from below
 };

@@ -9,12 +9,13 @@
 namespace fovea::vector {
 namespace {
 
-constexpr double same = 1e-3;        // tolerances; points that near are one
-constexpr double sharp = 0.87;       // cosine of the turn of a corner: 30 degrees
-constexpr double look = 6.0;         // tolerances over which directions are measured
-constexpr double most_rise = 14.0;   // tolerances; a smooth curve is a 14th of the side times the turn beside it
-constexpr double for_points = 0.9;   // of the tolerance: the rest is for points that are left out
-constexpr std::size_t beside = 3;    // points to each side of a joint that tell its tangent
+constexpr double same = 1e-3;         // tolerances; points that near are one
+constexpr double sharp = 0.87;        // cosine of the turn of a corner: 30 degrees
+constexpr double look = 6.0;          // tolerances over which directions are measured
+constexpr double most_rise = 14.0;    // tolerances; a smooth curve is a 14th of the side times the turn beside it
+constexpr double for_points = 0.9;    // of the tolerance: the rest is for points that are left out
+constexpr std::size_t few_sides = 2;  // of a polyline, which have fewer numbers than a cubic
+constexpr std::size_t beside = 3;     // points to each side of a joint that tell its tangent
 
 Points distinct(In<dvec2> points, double near) {
     Points kept;
@@ -56,8 +57,7 @@ class Corners {
     /// Direction from a point to those some way before (step -1) or after it (1).
     dvec2 direction(std::ptrdiff_t i, std::ptrdiff_t step) const {
         std::ptrdiff_t j = around(i + step);
-        while (glm::distance(points_[i], points_[j]) < look * tolerance_ && is_there(j + step) &&
-               around(j + step) != i)
+        while (glm::distance(points_[i], points_[j]) < look * tolerance_ && is_there(j + step) && around(j + step) != i)
             j = around(j + step);
         const dvec2 way = points_[j] - points_[i];
         const double length = glm::length(way);
@@ -95,8 +95,8 @@ class Corners {
 /// Whether points run along the line from the first to the last.
 bool is_straight(In<dvec2> points, double tolerance) {
     const dvec2 first = points.front(), last = points.back();
-    return std::ranges::all_of(
-        points, [&](const dvec2& p) { return distance_to_segment(p, first, last) <= tolerance; });
+    return std::ranges::all_of(points,
+                               [&](const dvec2& p) { return distance_to_segment(p, first, last) <= tolerance; });
 }
 
 /// Unit tangent at a point, of the parabola through it that is nearest to its neighbors.
@@ -133,9 +133,11 @@ class Smooth {
         std::optional<dvec2> direction = ends.start;
         for (std::size_t from = 0; from + 1 < points_.size();) {
             const std::size_t to = farthest(from, {direction, ends.end});
-            // Where no cubic goes even to the next point, which is in a bend below the tolerance, a line does.
+            // Lines where they are fewer numbers, and where no cubic goes even to the next point.
             if (!best_ || is_straight(part(from, to), 0.5 * tolerance_))
                 out_.line_to(points_[to]);
+            else if (to - from <= few_sides)
+                for (std::size_t i = from + 1; i <= to; ++i) out_.line_to(points_[i]);
             else
                 out_.cubic_to((*best_)[1], (*best_)[2], (*best_)[3]);
             direction = best_ ? std::optional(tangent_at(points_, to)) : std::nullopt;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Polylines as few lines and cubics, within a bound that is checked. What runs straight becomes a line; corners are kept;
-// between them cubics join smoothly, each as long as the bound lets it be.
+// Polylines as few lines and cubics, within a bound that is checked. What runs straight becomes a line; corners are
+// kept; between them cubics join smoothly, each as long as the bound lets it be.
 #pragma once
 
 #include <fovea/vector/curve.h>

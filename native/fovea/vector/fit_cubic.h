@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // One cubic Bezier through the ends of a polyline, nearest to it in the least squares sense. Schneider, "An Algorithm
-// for Automatically Fitting Digitized Curves", Graphics Gems, 1990, with three differences: ends without a given tangent
-// are free, points count by the length that they stand for, and the bound holds for all of both lines, not for points
-// at equal parameters alone.
+// for Automatically Fitting Digitized Curves", Graphics Gems, 1990, with three differences: ends without a given
+// tangent are free, points count by the length that they stand for, and the bound holds for all of both lines, not for
+// points at equal parameters alone.
 #pragma once
 
 #include <optional>

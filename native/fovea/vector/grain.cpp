@@ -21,7 +21,9 @@ double mean(In<float> ink) {
 }
 
 bool is_dashed(In<float> ink) {
-    const auto share = [&](const auto& holds) { return double(std::ranges::count_if(ink, holds)) / double(ink.size()); };
+    const auto share = [&](const auto& holds) {
+        return double(std::ranges::count_if(ink, holds)) / double(ink.size());
+    };
     return share([](float v) { return v >= no_ink && v <= full_ink; }) < most_between &&
            share([](float v) { return v < no_ink; }) > least_gap;
 }

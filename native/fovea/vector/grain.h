@@ -11,8 +11,8 @@ struct Grain {
     double opacity = 1.0;  ///< mean of the ink there
     /// Lengths of dashes and gaps in turn, in repetitions of the texture; empty: none.
     std::vector<double> dashes;
-    double first = 0.0;    ///< where the first of them begins, in repetitions
-    bool round = false;    ///< dashes end in half discs as wide as the pen, which count in their length
+    double first = 0.0;  ///< where the first of them begins, in repetitions
+    bool round = false;  ///< dashes end in half discs as wide as the pen, which count in their length
 };
 
 /// Of a texture; null: solid.

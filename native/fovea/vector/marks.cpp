@@ -10,6 +10,7 @@ namespace fovea::vector {
 namespace {
 
 constexpr double unseen = 1.0 / 255.0;  // opacity
+constexpr float half_shown = 0.5f;      // by elision
 constexpr double most_change = 0.125;   // of opacity and color, each in [0,1], along a mark
 
 /// A point of a stroke on the page.
@@ -55,8 +56,8 @@ std::vector<Inked> stepped(const std::vector<Inked>& points) {
 
 class Splitter {
    public:
-    Splitter(const std::vector<Inked>& points, Index run, bool closed, bool whole, std::vector<Mark>& out)
-        : points_(points), run_(run), closed_(closed), whole_(whole), out_(out) {}
+    Splitter(const std::vector<Inked>& points, Index run, bool closed, Cutting cutting, std::vector<Mark>& out)
+        : points_(points), run_(run), closed_(closed), whole_(cutting != Cutting::by_ink), out_(out) {}
 
     void split() {
         const std::size_t last = points_.size() - 1;
@@ -82,8 +83,11 @@ class Splitter {
 
     void add(std::size_t from, std::size_t to) {
         const bool starts = from == 0, ends = to + 1 == points_.size();
-        Mark mark{.run = run_, .arc = points_[from].arc, .closed = closed_ && starts && ends,
-                  .starts = starts && !closed_, .ends = ends && !closed_};
+        Mark mark{.run = run_,
+                  .arc = points_[from].arc,
+                  .closed = closed_ && starts && ends,
+                  .starts = starts && !closed_,
+                  .ends = ends && !closed_};
         dvec4 sum(0.0);
         double length = 0.0;
         for (std::size_t i = from; i <= to; ++i) {
@@ -117,7 +121,7 @@ std::size_t numbers_of(const ClippedPaths& clipped, const Runs& runs, std::size_
 
 }  // namespace
 
-Marks marks_of(const Frame& frame, const Page& page, double tolerance, bool whole) {
+Marks marks_of(const Frame& frame, const Page& page, double tolerance, Cutting cutting) {
     Inking inking = frame.inking(frame.shown);
     // What is left out of lines is small beside what curves may be off.
     inking.tolerance_px = std::min(inking.tolerance_px, 0.1 * tolerance / page.scale);
@@ -134,12 +138,15 @@ Marks marks_of(const Frame& frame, const Page& page, double tolerance, bool whol
             const Pen& pen = inking.pens[number];
             const Grain& grain = found.grains[number];
             std::vector<Inked> points;
-            for (const CenterPoint& p : line.points)
+            for (const CenterPoint& p : line.points) {
                 points.push_back({page.place(p.px), page.scale * p.arc,
                                   page.scale * 2.0 * p.half_width * p.thinness * grain.width,
                                   ink_of(p, pen, pen.away == none ? pen : inking.pens[pen.away], grain.opacity)});
+                double& opacity = points.back().ink.w;
+                if (cutting == Cutting::elision) opacity = opacity > unseen && p.shown >= half_shown ? 1.0 : 0.0;
+            }
             const std::size_t before = out.marks.size();
-            Splitter(stepped(points), Index(r), line.closed, whole, out.marks).split();
+            Splitter(stepped(points), Index(r), line.closed, cutting, out.marks).split();
             if (out.marks.size() > before) out.numbers += numbers_of(inking.clipped, inking.runs, r);
         }
     });

@@ -11,13 +11,14 @@ namespace fovea::vector {
 
 /// A stroke, or a part of it along which its color and opacity are about the same.
 struct Mark {
-    Index run = none;              ///< of the frame's drawn runs
-    Points points = {};            ///< in units of the page
+    Index run = none;                 ///< of the frame's drawn runs
+    Points points = {};               ///< in units of the page
     std::vector<double> widths = {};  ///< per point
-    double arc = 0.0;              ///< along its path to its first point, 0 at the path's middle
-    dvec3 color{0.0};              ///< as displayed
+    double arc = 0.0;                 ///< along its path to its first point, 0 at the path's middle
+    dvec3 color{0.0};                 ///< as displayed
     double opacity = 1.0;
-    bool closed = false;           ///< the last point repeats the first
+    bool closed = false;              ///< the last point repeats the first
+    bool is_dash = false;             ///< of a stroke that has dashes
     bool starts = true, ends = true;  ///< whether its ends are those of the stroke, which have caps
 };
 
@@ -27,9 +28,16 @@ struct Marks {
     std::size_t numbers = 0;    ///< of the coordinates of the drawn runs as polylines
 };
 
-/// Requires ink(). Where nothing is drawn, as elision or a transparent pen has it, there are no marks. `whole`: strokes
-/// are cut there alone, and else have their mean color and opacity.
-Marks marks_of(const Frame& frame, const Page& page, double tolerance, bool whole);
+/// How strokes are cut into marks.
+enum class Cutting : std::uint8_t {
+    by_ink,   ///< where their color or opacity changes
+    unseen,   ///< where nothing is drawn alone: they have their mean color and opacity
+    elision,  ///< where elision leaves less than half: what is left is fully drawn
+};
+
+/// Requires ink(). Where nothing is drawn, as elision or a transparent pen has it, there are no marks. `tolerance`: of
+/// curves that are made of them.
+Marks marks_of(const Frame& frame, const Page& page, double tolerance, Cutting cutting);
 
 /// Mean of the widths of a mark, by length.
 double mean_width(const Mark& mark);

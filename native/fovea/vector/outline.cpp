@@ -11,11 +11,11 @@
 namespace fovea::vector {
 namespace {
 
-constexpr double mitre_limit = -0.17;    // cosine of the sharpest mitred bend: 100 degrees
-constexpr double straight = 0.995;       // cosine of a bend that needs no room
-constexpr double kept_share = 0.98;      // of half the width; points of a side that are nearer to the line are inside
-constexpr double quarter = 0.5522847498; // handles of a cubic for a quarter of a circle, in radii
-constexpr int steps_beside = 4;          // points at either end of a side before a bend, half a radius apart
+constexpr double mitre_limit = -0.17;     // cosine of the sharpest mitred bend: 100 degrees
+constexpr double straight = 0.995;        // cosine of a bend that needs no room
+constexpr double kept_share = 0.98;       // of half the width; points of a side that are nearer to the line are inside
+constexpr double quarter = 0.5522847498;  // handles of a cubic for a quarter of a circle, in radii
+constexpr int steps_beside = 4;           // points at either end of a side before a bend, half a radius apart
 
 dvec2 left_of(const dvec2& d) { return {-d.y, d.x}; }
 
@@ -29,7 +29,9 @@ struct Ribbon {
     dvec2 direction(std::size_t i) const { return glm::normalize(points[i + 1] - points[i]); }
     /// Directions before and after a point; equal at an end.
     dvec2 into(std::size_t i) const { return i > 0 ? direction(i - 1) : direction(closed ? size() - 2 : 0); }
-    dvec2 out_of(std::size_t i) const { return i + 1 < size() ? direction(i) : closed ? direction(0) : direction(i - 1); }
+    dvec2 out_of(std::size_t i) const {
+        return i + 1 < size() ? direction(i) : closed ? direction(0) : direction(i - 1);
+    }
     void push(const dvec2& point, double radius) {
         if (!points.empty() && glm::distance(points.back(), point) < 1e-9) return;
         points.push_back(point);
@@ -52,7 +54,8 @@ Ribbon refined(const Ribbon& line) {
         std::ranges::sort(at);
         for (const double t : at)
             if (t > 0.0 && t < 1.0)
-                fine.push(glm::mix(line.points[i], line.points[i + 1], t), glm::mix(line.radii[i], line.radii[i + 1], t));
+                fine.push(glm::mix(line.points[i], line.points[i + 1], t),
+                          glm::mix(line.radii[i], line.radii[i + 1], t));
         fine.push(line.points[i + 1], line.radii[i + 1]);
     }
     return fine;

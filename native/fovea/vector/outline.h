@@ -11,8 +11,8 @@ struct RoundEnds {
     bool start, end;
 };
 
-/// Curves around a polyline of at least two points with a width at each, to be filled by the nonzero rule: one, or for a
-/// closed polyline, whose last point repeats the first, one on each side. Bends are mitred up to 100 degrees, and
+/// Curves around a polyline of at least two points with a width at each, to be filled by the nonzero rule: one, or for
+/// a closed polyline, whose last point repeats the first, one on each side. Bends are mitred up to 100 degrees, and
 /// rounded beyond that. Each side keeps within `tolerance`, as in `fit`.
 std::vector<Curve> outline(In<dvec2> points, In<double> widths, bool closed, RoundEnds round, double tolerance);
 

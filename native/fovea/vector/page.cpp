@@ -10,7 +10,7 @@ namespace fovea::vector {
 namespace {
 
 /// Sizes of sheets of paper [mm], from Sheet::a0 on.
-constexpr dvec2 sheets[] = {{841.0, 1189.0}, {594.0, 841.0}, {420.0, 594.0},   {297.0, 420.0},
+constexpr dvec2 sheets[] = {{841.0, 1189.0}, {594.0, 841.0}, {420.0, 594.0}, {297.0, 420.0},
                             {210.0, 297.0},  {148.0, 210.0}, {215.9, 279.4}};
 
 }  // namespace

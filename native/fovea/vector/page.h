@@ -9,10 +9,10 @@
 namespace fovea::vector {
 
 struct Page {
-    dvec2 size;     ///< in units of the document
-    dvec2 lower;    ///< of the picture
-    double scale;   ///< units per pixel of the picture
-    double unit_mm; ///< of a unit, on paper as high as the style says where units are pixels
+    dvec2 size;      ///< in units of the document
+    dvec2 lower;     ///< of the picture
+    double scale;    ///< units per pixel of the picture
+    double unit_mm;  ///< of a unit, on paper as high as the style says where units are pixels
 
     dvec2 place(const dvec2& px) const { return lower + scale * px; }
 };

@@ -88,10 +88,11 @@ class Writer {
     void head() {
         const std::string width = number(document_.size.x), height = number(document_.size.y);
         const char* unit = document_.in_pixels ? "" : "mm";
-        out_ += "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\""
-                " xmlns:xlink=\"http://www.w3.org/1999/xlink\""
-                " xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\""
-                " xmlns:sodipodi=\"http://sodipodi.sourceforge.net/DTD/sodipodi-0.dtd\" version=\"1.1\"";
+        out_ +=
+            "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\""
+            " xmlns:xlink=\"http://www.w3.org/1999/xlink\""
+            " xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\""
+            " xmlns:sodipodi=\"http://sodipodi.sourceforge.net/DTD/sodipodi-0.dtd\" version=\"1.1\"";
         attribute(out_, "width", width + unit);
         attribute(out_, "height", height + unit);
         attribute(out_, "viewBox", "0 0 " + width + " " + height);
@@ -100,7 +101,8 @@ class Writer {
 
     void ground() {
         if (!document_.paper && !document_.image) return;
-        out_ += "<g id=\"paper\" inkscape:groupmode=\"layer\" inkscape:label=\"%paper\" sodipodi:insensitive=\"true\">\n";
+        out_ +=
+            "<g id=\"paper\" inkscape:groupmode=\"layer\" inkscape:label=\"%paper\" sodipodi:insensitive=\"true\">\n";
         if (document_.paper) {
             out_ += "<rect";
             attribute(out_, "width", number(document_.size.x));

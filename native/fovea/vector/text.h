@@ -23,8 +23,8 @@ std::string hexadecimal(std::uint64_t value);
 /// "#rrggbb" of a color as displayed, each in [0,1].
 std::string hex_color(double red, double green, double blue);
 
-/// Text of XML and of its attributes: its own characters are written as entities; control characters, and bytes that are
-/// not UTF-8, as question marks.
+/// Text of XML and of its attributes: its own characters are written as entities; control characters, and bytes that
+/// are not UTF-8, as question marks.
 std::string xml(std::string_view text);
 
 /// Base64 (RFC 4648), on one line.
