@@ -282,7 +282,8 @@ def render_frames(scene, options, camera=None):
 
 
 def write_vectors(options, path):
-    drawn = vectors.drawing(bpy.context, vectors.options(**draw_options.vector_options(options)))
+    asked = vectors.options(**draw_options.vector_options(options))
+    drawn = vectors.drawing(bpy.context, path.suffix[1:], asked)
     vectors.write(drawn, path)
     if options.json:
         ending.tell({"file": str(path), **drawn.figures})

@@ -10,7 +10,7 @@ import scenes
 from . import model_files, output, quantities
 
 PICTURES = (".png", ".exr")
-VECTORS = (".svg",)
+VECTORS = (".svg", ".pdf", ".dxf")
 SHEETS = ("page", "pixels", "a0", "a1", "a2", "a3", "a4", "a5", "letter")
 TILE = (480, 360)  # pixels of a tile of a sheet
 # Defaults for the demo scene if neither style, lines nor focus is given: its door in focus.
@@ -62,7 +62,7 @@ def _parser():
     parser = argparse.ArgumentParser("fovea draw", usage=argparse.SUPPRESS)
     add = parser.add_argument
     add("scene", nargs="?", help="MODEL.obj (or .glb, .fbx, ...), SCENE.blend or a scene's NAME[:N]")
-    add("-o", "--output", type=lambda text: Path(text).absolute(), help="OUT.png, OUT.exr or OUT.svg")
+    add("-o", "--output", type=lambda text: Path(text).absolute(), help="OUT.png, .exr, .svg, .pdf or .dxf")
     add(
         "--size",
         type=quantities.frame_size,

@@ -11,7 +11,6 @@
 #include <fovea/color/srgb.h>
 #include <fovea/style/json.h>
 #include <fovea/style/json_value.h>
-#include <fovea/vector/svg.h>
 
 namespace fovea::tool {
 namespace {
@@ -72,11 +71,15 @@ void write_png(const Frame& frame, const std::filesystem::path& file) {
     write_whole(png_bytes(rgb, view.width, view.height), file);
 }
 
-bool is_vectors(const std::filesystem::path& file) { return file.extension() == ".svg"; }
+std::optional<vector::Kind> vectors_of(const std::filesystem::path& file) {
+    const std::string suffix = name_of(file.extension());
+    return suffix.empty() ? std::nullopt : vector::kind_of(suffix.substr(1));
+}
 
-vector::Figures write_vectors(Frame& frame, const vector::Options& options, const std::filesystem::path& file) {
-    const vector::Drawing drawing = vector::compose(frame, options);
-    write_whole(vector::svg_bytes(drawing.document), file);
+vector::Figures write_vectors(Frame& frame, const vector::Options& options, vector::Kind kind,
+                              const std::filesystem::path& file) {
+    const vector::Drawing drawing = vector::compose(frame, vector::fitting(kind, options));
+    write_whole(vector::bytes_of(drawing.document, kind), file);
     return drawing.figures;
 }
 

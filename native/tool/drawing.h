@@ -7,6 +7,7 @@
 #include <tool/model.h>
 
 #include <fovea/vector/compose.h>
+#include <fovea/vector/file.h>
 
 namespace fovea::tool {
 
@@ -26,10 +27,11 @@ Frame frame_of(const Model& model, const Camera& camera, const style::Style& sty
 /// completely or not at all. Throws std::invalid_argument, naming it, if it cannot be written.
 void write_png(const Frame& frame, const std::filesystem::path& file);
 
-/// Whether a file's name says that it has vectors.
-bool is_vectors(const std::filesystem::path& file);
+/// The kind of vectors that a file's name says it has.
+std::optional<vector::Kind> vectors_of(const std::filesystem::path& file);
 
 /// Writes a frame's strokes as vectors, as write_png does pixels. How much there is in the file.
-vector::Figures write_vectors(Frame& frame, const vector::Options& options, const std::filesystem::path& file);
+vector::Figures write_vectors(Frame& frame, const vector::Options& options, vector::Kind kind,
+                              const std::filesystem::path& file);
 
 }  // namespace fovea::tool

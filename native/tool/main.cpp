@@ -22,11 +22,11 @@ int main(int count, char** words) {
             options.style.empty() ? tool::style_of(options.lines) : tool::read_style(options.style);
         Frame frame = tool::frame_of(model, options.camera, style, options.assets);
         vector::Figures figures;
-        const bool vectors = tool::is_vectors(options.output);
+        const std::optional<vector::Kind> vectors = tool::vectors_of(options.output);
         if (options.output.empty()) {
             frame.see();
         } else if (vectors) {
-            figures = tool::write_vectors(frame, options.vectors, options.output);
+            figures = tool::write_vectors(frame, options.vectors, *vectors, options.output);
         } else {
             frame.picture();
             tool::write_png(frame, options.output);

@@ -41,7 +41,7 @@ std::map<std::string, vector::Sheet> sheets() {
 }
 
 void add_vectors(CLI::App& app, vector::Options& vectors) {
-    app.add_option("--paper", vectors.sheet, "of an SVG file: page (as the style says), pixels, a0 to a5, letter")
+    app.add_option("--paper", vectors.sheet, "of vectors: page (as the style says), pixels, a0 to a5, letter")
         ->transform(CLI::CheckedTransformer(sheets(), CLI::ignore_case));
     app.add_option("--paper-margin", vectors.margin, "millimeters free around the picture on a sheet of paper")
         ->capture_default_str()
@@ -73,7 +73,7 @@ Options parse(int count, char** words) {
         ->delimiter(',')
         ->excludes(app.add_option("--style", options.style, "a style file, which says itself what its lines are"));
     app.add_option("--assets", options.assets, "the folder with the textures and papers that the style names");
-    app.add_option("-o,--output", options.output, "draws the model: a PNG or SVG file");
+    app.add_option("-o,--output", options.output, "draws the model: a PNG, SVG, PDF or DXF file");
     app.add_option_function<std::string>(
         "--size", [&](const std::string& text) { take_size(text, options.camera); },
         "of the picture, WIDTHxHEIGHT (1920x1080)");

@@ -17,7 +17,7 @@ struct Options {
     Camera camera;
     std::filesystem::path style;   ///< a style file; empty: a style made of `lines`
     std::filesystem::path assets;  ///< a folder with textures and papers
-    std::filesystem::path output;  ///< a PNG or SVG file; empty: nothing is drawn
+    std::filesystem::path output;  ///< a PNG, SVG, PDF or DXF file; empty: nothing is drawn
     vector::Options vectors;
     int threads = 0;  ///< 0: as many as the machine has
 };

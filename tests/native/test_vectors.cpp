@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Frames as documents, and their files.
 #include <gtest/gtest.h>
+#include <regex>
+#include <set>
 #include <tool/drawing.h>
 #include <tool/read_obj.h>
 
-#include <regex>
-#include <set>
-
+#include <fovea/vector/file.h>
 #include <fovea/vector/svg.h>
 #include <fovea/vector/text.h>
 
@@ -150,6 +150,26 @@ TEST(Vectors, OfLinesThatElisionLeavesOutAreNone) {
     EXPECT_EQ(nothing.figures.paths, 0u);
     EXPECT_TRUE(nothing.document.layers.empty());
     EXPECT_NE(vector::svg_bytes(nothing.document).find("</svg>"), std::string::npos);
+}
+
+TEST(Vectors, OfEveryKindHaveAllPathsAndEqualBytesTwice) {
+    const auto count = [](const std::string& text, const std::string& word) {
+        std::size_t found = 0;
+        for (std::size_t at = text.find(word); at != text.npos; at = text.find(word, at + 1)) ++found;
+        return found;
+    };
+    const auto of = [](vector::Kind kind) { return drawn(with_hidden(), vector::fitting(kind, {})); };
+    const vector::Drawing lines = of(vector::Kind::dxf);
+    const std::string dxf = vector::bytes_of(lines.document, vector::Kind::dxf);
+    EXPECT_EQ(count(dxf, "\nLWPOLYLINE\n") + count(dxf, "\nSPLINE\n"), lines.figures.paths);
+    EXPECT_EQ(count(dxf, "\nEDGES____CORNERS__VISIBLE\n"), count(dxf, "VISIBLE"));
+    EXPECT_EQ(dxf, vector::bytes_of(of(vector::Kind::dxf).document, vector::Kind::dxf));
+    const std::string pdf = vector::bytes_of(of(vector::Kind::pdf).document, vector::Kind::pdf);
+    EXPECT_EQ(pdf, vector::bytes_of(of(vector::Kind::pdf).document, vector::Kind::pdf));
+    EXPECT_EQ(count(pdf, "/Type /OCG"), 3u);
+    EXPECT_EQ(pdf.rfind("%PDF-1.5\n", 0), 0u);
+    EXPECT_EQ(vector::kind_of("svg"), vector::Kind::svg);
+    EXPECT_EQ(vector::kind_of("png"), std::nullopt);
 }
 
 TEST(VectorText, OfNumbersIsShortAndHasNoMinusZero) {

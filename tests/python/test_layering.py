@@ -30,6 +30,7 @@ LIBRARIES = {
     r"embree\d?/": r"native/fovea/scene/bvh",
     r"CLI/": r"native/tool/",
     r"nlohmann/": r"native/(tool/|fovea/style/json)",
+    r"zlib\.h": r"native/fovea/vector/pdf",
     r"Python\.h": r"nowhere",
 }
 

@@ -25,14 +25,25 @@ Inked between(const Inked& a, const Inked& b, double t) {
             glm::mix(a.ink, b.ink, t)};
 }
 
-dvec4 ink_of(const CenterPoint& p, const Pen& pen, const Pen& away, double density) {
+/// Opacity with which a color over paper looks the same where displayed values are mixed, as by programs that show
+/// vectors, as where light is, as in pictures. Both scene-linear; by their means.
+double as_displayed(double opacity, const dvec3& color, const dvec3& paper) {
+    const auto mean = [](const dvec3& c) { return std::clamp(float(c.x + c.y + c.z) / 3.0f, 0.0f, 1.0f); };
+    const float ink = mean(color), below = mean(paper);
+    const float whole = color::to_srgb(below) - color::to_srgb(ink);
+    if (std::abs(whole) < 0.01f) return opacity;
+    const float mixed = glm::mix(below, ink, float(std::clamp(opacity, 0.0, 1.0)));
+    return (color::to_srgb(below) - color::to_srgb(mixed)) / whole;
+}
+
+dvec4 ink_of(const CenterPoint& p, const Pen& pen, const Pen& away, double density, const dvec3& paper) {
     const style::Pen &near = pen.look, &far = away.look;
     const double mix = p.mix.x;
     const dvec3 second = glm::mix(near.second_color, far.second_color, mix);
     const dvec3 color = glm::mix(glm::mix(near.color, far.color, mix), second, double(p.tint));
     dvec4 ink(0.0);
     for (int c = 0; c < 3; ++c) ink[c] = color::to_srgb(std::clamp(float(color[c]), 0.0f, 1.0f));
-    ink.w = density * p.opacity / std::max(p.thinness, 1e-6f);
+    ink.w = as_displayed(density * p.opacity / std::max(p.thinness, 1e-6f), color, paper);
     return ink;
 }
 
@@ -127,6 +138,7 @@ Marks marks_of(const Frame& frame, const Page& page, double tolerance, Cutting c
     inking.tolerance_px = std::min(inking.tolerance_px, 0.1 * tolerance / page.scale);
     check_inking(inking);
     const LineShaper shaper(inking);
+    const dvec3 paper = frame.job.style.paper.color;
     Marks found;
     for (const Pen& pen : frame.pens.pens)
         found.grains.push_back(grain_of(pen.texture == none ? nullptr : &frame.pens.textures[pen.texture]));
@@ -139,9 +151,9 @@ Marks marks_of(const Frame& frame, const Page& page, double tolerance, Cutting c
             const Grain& grain = found.grains[number];
             std::vector<Inked> points;
             for (const CenterPoint& p : line.points) {
-                points.push_back({page.place(p.px), page.scale * p.arc,
-                                  page.scale * 2.0 * p.half_width * p.thinness * grain.width,
-                                  ink_of(p, pen, pen.away == none ? pen : inking.pens[pen.away], grain.opacity)});
+                points.push_back(
+                    {page.place(p.px), page.scale * p.arc, page.scale * 2.0 * p.half_width * p.thinness * grain.width,
+                     ink_of(p, pen, pen.away == none ? pen : inking.pens[pen.away], grain.opacity, paper)});
                 double& opacity = points.back().ink.w;
                 if (cutting == Cutting::elision) opacity = opacity > unseen && p.shown >= half_shown ? 1.0 : 0.0;
             }
