@@ -12,6 +12,11 @@ def options(**given):
     return native.load().VectorOptions(**given)
 
 
+def choices(of):
+    """(name, label, description) of what an option can be: of `VECTORS`, the kinds of files, `SHEETS` or `WIDTHS`."""
+    return [] if native.problem() else getattr(native.load(), of)
+
+
 def drawing(context, kind, asked, **how):
     """The native Drawing, for files of a kind (svg, pdf, dxf), of a final render of the context's frame and view layer
     with VectorOptions, or None if the user canceled it; `how` as for `session.final`."""

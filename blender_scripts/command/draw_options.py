@@ -163,7 +163,8 @@ def _check(options):
         vars(options).update(DEMO)
     options.output = options.output or default_output(options.scene, "sheet" if options.sheet else "fovea")
     if options.output.suffix not in PICTURES + VECTORS:
-        raise ValueError(f"a picture is {', '.join(PICTURES)} or {' or '.join(VECTORS)}, not {options.output.name}")
+        kinds = f"a picture is {' or '.join(PICTURES)}, vectors are {' or '.join(VECTORS)}"
+        raise ValueError(f"{kinds}, not {options.output.name}")
     _check_vectors(options)
     if options.sheet:
         _check_sheet(options)

@@ -23,8 +23,7 @@ std::shared_ptr<KindOfDrawing> compose(Frame& frame, const vector::Options& opti
 
 py::dict figures_of(const KindOfDrawing& drawing) {
     py::dict figures;
-    style::for_each_field<vector::Figures>(
-        [&](const auto& field) { figures[field.name] = drawing.figures.*field.member; });
+    drawing.for_each_figure([&](const char* name, auto number) { figures[name] = number; });
     return figures;
 }
 

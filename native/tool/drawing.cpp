@@ -76,11 +76,11 @@ std::optional<vector::Kind> vectors_of(const std::filesystem::path& file) {
     return suffix.empty() ? std::nullopt : vector::kind_of(suffix.substr(1));
 }
 
-vector::Figures write_vectors(Frame& frame, const vector::Options& options, vector::Kind kind,
+vector::Drawing write_vectors(Frame& frame, const vector::Options& options, vector::Kind kind,
                               const std::filesystem::path& file) {
-    const vector::Drawing drawing = vector::compose(frame, vector::fitting(kind, options));
+    vector::Drawing drawing = vector::compose(frame, vector::fitting(kind, options));
     write_whole(vector::bytes_of(drawing.document, kind), file);
-    return drawing.figures;
+    return drawing;
 }
 
 }  // namespace fovea::tool

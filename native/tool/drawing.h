@@ -30,8 +30,8 @@ void write_png(const Frame& frame, const std::filesystem::path& file);
 /// The kind of vectors that a file's name says it has.
 std::optional<vector::Kind> vectors_of(const std::filesystem::path& file);
 
-/// Writes a frame's strokes as vectors, as write_png does pixels. How much there is in the file.
-vector::Figures write_vectors(Frame& frame, const vector::Options& options, vector::Kind kind,
+/// Writes a frame's strokes as vectors, as write_png does pixels. What is in the file.
+vector::Drawing write_vectors(Frame& frame, const vector::Options& options, vector::Kind kind,
                               const std::filesystem::path& file);
 
 }  // namespace fovea::tool

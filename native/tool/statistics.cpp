@@ -79,9 +79,9 @@ ordered_json statistics(const Model& model, const Frame& frame) {
     return found;
 }
 
-nlohmann::ordered_json statistics(const vector::Figures& figures) {
+nlohmann::ordered_json statistics(const vector::Drawing& drawing) {
     nlohmann::ordered_json found;
-    style::for_each_field<vector::Figures>([&](const auto& field) { found[field.name] = figures.*field.member; });
+    drawing.for_each_figure([&](const char* name, auto number) { found[name] = number; });
     return found;
 }
 

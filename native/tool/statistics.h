@@ -15,6 +15,6 @@ std::vector<std::string> default_lines();
 nlohmann::ordered_json statistics(const Model& model, const Frame& frame);
 
 /// How much there is in a file of vectors.
-nlohmann::ordered_json statistics(const vector::Figures& figures);
+nlohmann::ordered_json statistics(const vector::Drawing& drawing);
 
 }  // namespace fovea::tool

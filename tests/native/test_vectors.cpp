@@ -132,14 +132,15 @@ TEST(Vectors, ForAPlotterAreJoinedInALayerForEachPenAndDashesApart) {
     EXPECT_EQ(plot.document.layers[1].label, "2 edges & <corners>");
     EXPECT_LE(plot.document.layers[1].paths.size(), 3u);  // three faces
     EXPECT_GT(plot.document.layers[0].paths.size(), 10u);
+    ASSERT_TRUE(plot.way);
     double down = 0.0;
     for (const vector::Path& path : paths_of(plot)) {
         EXPECT_TRUE(path.look.dashes.empty());
         down += vector::length_of(path.curves.at(0).points);
     }
-    EXPECT_NEAR(plot.figures.pen_down_mm, down, 1e-6);
-    EXPECT_EQ(plot.figures.lifts, plot.figures.paths);
-    EXPECT_LE(plot.figures.pen_up_mm, 1.1 * plot.figures.pen_up_nearest_mm);
+    EXPECT_NEAR(plot.way->pen_down_mm, down, 1e-6);
+    EXPECT_EQ(plot.way->lifts, plot.figures.paths);
+    EXPECT_LE(plot.way->pen_up_mm, 1.1 * plot.way->pen_up_nearest_mm);
     EXPECT_FALSE(plot.document.paper);
 }
 

@@ -111,7 +111,6 @@ std::vector<Layer> plotted_layers(const Frame& frame, const std::vector<Mark>& m
             const bool hidden = &part == &of_set.layers.front();
             const Index set = Index(layers.size() / 2);
             std::vector<Line> lines;
-            std::map<std::size_t, double> widths;
             double width = 0.0;
             for (std::size_t i = 0; i < marks.size(); ++i) {
                 if (line_set_of(frame, marks[i].run) != set || hidden != (frame.drawn->invisibility[marks[i].run] != 0))
@@ -172,7 +171,7 @@ Drawing compose(Frame& frame, const Options& options) {
         ++made.figures.paths;
         for (const Curve& curve : path.curves) made.figures.numbers += 2 * curve.points.size();
     });
-    if (options.plotter) put_in_order(document, page.unit_mm, made.figures);
+    if (options.plotter) made.way = put_in_order(document, page.unit_mm);
     return made;
 }
 

@@ -86,13 +86,13 @@ class Writer {
         end_section();
     }
 
-    /// Begins an entry of a table, or a table.
+    /// Begins an entry of a table.
     void record(const char* kind, const std::string& own, const std::string& owner, const char* subclass) {
         pair(0, kind);
         pair(5, own);
         pair(330, owner);
-        pair(100, subclass == std::string("AcDbSymbolTable") ? subclass : "AcDbSymbolTableRecord");
-        if (subclass != std::string("AcDbSymbolTable")) pair(100, subclass);
+        pair(100, "AcDbSymbolTableRecord");
+        pair(100, subclass);
     }
 
     void table(const char* name, int own, int count) {

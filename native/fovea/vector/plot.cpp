@@ -68,23 +68,25 @@ std::vector<Line> as_plotted(std::vector<Line> lines, double unit_mm) {
     return joined(std::move(lines), joint_mm / unit_mm);
 }
 
-void put_in_order(Document& document, double unit_mm, Figures& figures) {
+Way put_in_order(Document& document, double unit_mm) {
+    Way way;
     dvec2 at(0.0, document.size.y);
     for (Layer& layer : document.layers) {
         const dvec2 home = at;
         const std::vector<Stop> stops = stops_of(layer.paths);
-        figures.pen_up_unordered_mm += unit_mm * way_between(stops, as_they_are(stops.size()), home);
-        figures.pen_up_nearest_mm += unit_mm * way_between(stops, nearest_order(stops, home), home);
+        way.pen_up_unordered_mm += unit_mm * way_between(stops, as_they_are(stops.size()), home);
+        way.pen_up_nearest_mm += unit_mm * way_between(stops, nearest_order(stops, home), home);
         layer.paths = in_order(std::move(layer.paths), plot_order(stops, home));
         start_closed_ones_near(layer.paths, home);
         for (const Path& path : layer.paths) {
             const Curve& curve = path.curves[0];
-            figures.pen_up_mm += unit_mm * glm::distance(at, curve.start());
-            figures.pen_down_mm += unit_mm * length_of(flattened(curve, flat_mm / unit_mm));
-            ++figures.lifts;
+            way.pen_up_mm += unit_mm * glm::distance(at, curve.start());
+            way.pen_down_mm += unit_mm * length_of(flattened(curve, flat_mm / unit_mm));
+            ++way.lifts;
             at = curve.end();
         }
     }
+    return way;
 }
 
 }  // namespace fovea::vector
