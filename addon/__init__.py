@@ -15,7 +15,7 @@ MODULES = (  # those with something to register; panels stand in this order
 TOOLS = (
     *("focus.focus_operators", "focus.focus_place_operators", "focus.focus_pull", "focus.focus_gizmos"),
     *("focus.focus_tool", "style.renamed"),
-    *("ui.focus_overlay", "style.style_assets", "render.line_operators", "render.cameras"),
+    *("ui.focus_overlay", "style.style_assets", "render.line_operators", "render.vector_operators", "render.cameras"),
     *("render.report", "style.freestyle", "style.line_art", "ui.tools_panel"),
 )
 

@@ -1443,4 +1443,42 @@ class Overrides:
         {parameter: (n,) float64 that placements have instead, NaN: none}}, and lined: the materials that have lines at
         all."""
 
+class VectorOptions:
+    """What a drawing is like as vectors; see native/fovea/vector/options.h."""
+    def __init__(self, **kwargs) -> None: ...
+    def replace(self, **kwargs) -> VectorOptions:
+        """The same with other values."""
+    def __eq__(self, other: VectorOptions) -> bool: ...
+    def __hash__(self) -> int: ...
+    @property
+    def sheet(self) -> str: ...
+    @property
+    def margin(self) -> float: ...
+    @property
+    def tolerance(self) -> float: ...
+    @property
+    def widths(self) -> str: ...
+    @property
+    def dashes_apart(self) -> bool: ...
+    @property
+    def ground(self) -> bool: ...
+    @property
+    def plotter(self) -> bool: ...
+
+SHEETS: list
+
+WIDTHS: list
+
+VECTORS: list
+
+class Drawing:
+    """A frame's strokes as layers of curves."""
+    def __init__(self, frame: Frame, options: VectorOptions, kind: str='svg') -> None:
+        """Takes the frame's steps up to `ink`; kind: of files, svg, pdf or dxf."""
+    @property
+    def figures(self) -> dict:
+        """{what there is: how much}"""
+    def file(self) -> bytes:
+        """The bytes of a file."""
+
 notes: dict

@@ -7,7 +7,7 @@ from pathlib import Path
 import bpy
 from bl_ext.user_default.fovea import catalogue, style
 from bl_ext.user_default.fovea.focus import focus_settings
-from bl_ext.user_default.fovea.render import cameras
+from bl_ext.user_default.fovea.render import cameras, vectors
 from bl_ext.user_default.fovea.scene import line_kinds
 from bl_ext.user_default.fovea.style import freestyle, style_data, style_groups, style_read, style_write
 from mathutils import Vector
@@ -274,7 +274,20 @@ def render_frames(scene, options, camera=None):
         if dump:  # first, because rendering may fail
             frame_dump.write(bpy.context, dump)
             ending.announce(dump)
-        picture.render(scene, path)
+        if path.suffix in draw_options.VECTORS:
+            write_vectors(options, path)
+        else:
+            picture.render(scene, path)
+            ending.announce(path)
+
+
+def write_vectors(options, path):
+    asked = vectors.options(**draw_options.vector_options(options))
+    drawn = vectors.drawing(bpy.context, path.suffix[1:], asked)
+    vectors.write(drawn, path)
+    if options.json:
+        ending.tell({"file": str(path), **drawn.figures})
+    else:
         ending.announce(path)
 
 

@@ -7,6 +7,7 @@ import sys
 
 MARK = "fovea: "  # prefix of that line, which distinguishes it from Blender's own output
 WROTE = "fovea wrote: "  # prefix of the line of a file, whose path follows as JSON
+TOLD = "fovea tells: "  # prefix of the line of figures about a file, as JSON
 NOTE = "fovea notes: "  # prefix of a line that is for the user
 
 
@@ -18,6 +19,16 @@ def note(sentence):
 def announce(path):
     """Tells of a file that is written."""
     print(f"{WROTE}{json.dumps(str(path))}", flush=True)
+
+
+def tell(figures):
+    """Tells figures about a file, a dict, in place of its path."""
+    print(f"{TOLD}{json.dumps(figures)}", flush=True)
+
+
+def told(line):
+    """The JSON of figures in a line of output; None if it tells none."""
+    return line.removeprefix(TOLD) if line.startswith(TOLD) else None
 
 
 def announced(line):

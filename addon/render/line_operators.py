@@ -16,7 +16,7 @@ from . import as_rendered, baking, drawn_lines, properties, reading, session
 ENGINE = "FOVEA"
 
 
-class _OfRender(Operator):
+class OfRender(Operator):
     """One that draws the context's scene."""
 
     @classmethod
@@ -40,7 +40,7 @@ def progress(context):
         manager.progress_end()
 
 
-class FOVEA_OT_render_lines(_OfRender, bpy.types.Operator):
+class FOVEA_OT_render_lines(OfRender, bpy.types.Operator):
     """Draw the lines alone to a new image with alpha, as a final render of this frame and view layer has them, and open
     it. The scene may use any render engine"""
 
@@ -91,7 +91,7 @@ def _image_editors(context):
     return [editor for editor in editors if editor.mode == "VIEW" and not editor.use_image_pin]
 
 
-class FOVEA_OT_bake_strokes(_OfRender, bpy.types.Operator):
+class FOVEA_OT_bake_strokes(OfRender, bpy.types.Operator):
     """Make objects of the lines that a final render of this frame and view layer has, one per line set, in a new
     collection. Their points know how strong each line is, what kind of line it is, and how wide and opaque its pen"""
 

@@ -52,4 +52,8 @@ def _in_render_menu(menu, _context):
     menu.layout.menu("TOPBAR_MT_fovea")
 
 
-MENUS = {"TOPBAR_MT_render": _in_render_menu}
+def _in_export_menu(menu, _context):
+    menu.layout.operator("fovea.export_vectors", text="Fovea Drawing (.svg, .pdf, .dxf)")
+
+
+MENUS = {"TOPBAR_MT_render": _in_render_menu, "TOPBAR_MT_file_export": _in_export_menu}

@@ -146,14 +146,15 @@ def agreement(target, words):
 
 
 def in_blender(target, sentence, script, words):
-    """Runs a script in Blender in background mode, and prints the paths of the files it wrote, of all of them or of
-    those before an error, and says its notes, each once. StepFailed on an error, with the script's message if it has
-    one (ending.py), else with the end of the log."""
+    """Runs a script in Blender in background mode, and prints the paths of the files it wrote, or figures about them,
+    of all of them or of those before an error, and says its notes, each once. StepFailed on an error, with the script's
+    message if it has one (ending.py), else with the end of the log."""
     command = [target.blender, "-b", "--python-exit-code", "1", "-P", script, "--", *words]
     log, status = target.attempt(sentence, command)
     lines = log.read_text(errors="replace").splitlines()
-    for path in filter(None, map(ending.announced, lines)):
-        print(path)
+    for line in lines:
+        if told := ending.announced(line) or ending.told(line):
+            print(told)
     for line in dict.fromkeys(line for line in lines if line.startswith(ending.NOTE)):
         say(line.removeprefix(ending.NOTE))
     if status == 0:

@@ -10,6 +10,8 @@ import scenes
 from . import model_files, output, quantities
 
 PICTURES = (".png", ".exr")
+VECTORS = (".svg", ".pdf", ".dxf")
+SHEETS = ("page", "pixels", "a0", "a1", "a2", "a3", "a4", "a5", "letter")
 TILE = (480, 360)  # pixels of a tile of a sheet
 # Defaults for the demo scene if neither style, lines nor focus is given: its door in focus.
 DEMO = {"style": "watercolor", "focus": (0.474, 0.6), "focus_radii": (0.12, 0.75)}
@@ -60,7 +62,7 @@ def _parser():
     parser = argparse.ArgumentParser("fovea draw", usage=argparse.SUPPRESS)
     add = parser.add_argument
     add("scene", nargs="?", help="MODEL.obj (or .glb, .fbx, ...), SCENE.blend or a scene's NAME[:N]")
-    add("-o", "--output", type=lambda text: Path(text).absolute(), help="OUT.png or OUT.exr")
+    add("-o", "--output", type=lambda text: Path(text).absolute(), help="OUT.png, .exr, .svg, .pdf or .dxf")
     add(
         "--size",
         type=quantities.frame_size,
@@ -109,9 +111,42 @@ def _parser():
     add("--elision", action=argparse.BooleanOptionalAction, help="thin lines that crowd each other")
     add("--sheet", action="store_true", help="a contact sheet: each definition of --lines in a tile by itself")
     add("--transparent", action="store_true", help="no paper")
+    _add_vectors(add)
     dump = "what the picture is drawn from, as arrays, for a bug report: OUT.npz"
     add("--dump", type=lambda text: Path(text).absolute(), metavar="OUT.npz", help=dump)
     return parser
+
+
+def _add_vectors(add):
+    """Options of vectors, which other files refuse: None where they are not given."""
+    add("--paper", type=str.lower, choices=SHEETS, help="the size of the page; page: as the style says")
+    millimeters = quantities.within(0, 1000, "millimeters")
+    add("--paper-margin", type=millimeters, metavar="MM", help="free around the picture on a sheet of paper (10)")
+    add("--tolerance", type=millimeters, metavar="MM", help="how far curves may be off (0.02)")
+    add("--center-lines", action="store_true", default=None, help="lines of one width where strokes change theirs")
+    add("--lines-alone", action="store_true", default=None, help="neither paper nor colors")
+    add("--plotter", action="store_true", default=None, help="lines of one width in an order of short ways")
+    add("--json", action="store_true", default=None, help="print figures about the file")
+
+
+def vector_options(options):
+    """The VectorOptions that are given, by their names."""
+    given = {
+        "sheet": options.paper,
+        "margin": options.paper_margin,
+        "tolerance": options.tolerance,
+        "widths": options.center_lines and "center",
+        "ground": False if options.lines_alone else None,
+        "plotter": options.plotter,
+    }
+    return {name: value for name, value in given.items() if value is not None}
+
+
+def _check_vectors(options):
+    for name in ("paper", "paper_margin", "tolerance", "center_lines", "lines_alone", "plotter", "json"):
+        if getattr(options, name) is not None and options.output.suffix not in VECTORS:
+            kinds = " or ".join(VECTORS)
+            raise ValueError(f"--{name.replace('_', '-')} is for vectors: name an output that ends in {kinds}")
 
 
 def _check(options):
@@ -127,8 +162,10 @@ def _check(options):
     if options.scene == "demo" and not (options.style or options.lines or options.focus or options.focus_painted):
         vars(options).update(DEMO)
     options.output = options.output or default_output(options.scene, "sheet" if options.sheet else "fovea")
-    if options.output.suffix not in PICTURES:
-        raise ValueError(f"a picture is {' or '.join(PICTURES)}, not {options.output.name}")
+    if options.output.suffix not in PICTURES + VECTORS:
+        kinds = f"a picture is {' or '.join(PICTURES)}, vectors are {' or '.join(VECTORS)}"
+        raise ValueError(f"{kinds}, not {options.output.name}")
+    _check_vectors(options)
     if options.sheet:
         _check_sheet(options)
     if options.cameras and (options.azimuth is not None or options.elevation is not None):

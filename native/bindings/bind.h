@@ -25,5 +25,6 @@ void bind_stroke(pybind11::module_& m);
 void bind_color(pybind11::module_& m);
 void bind_style(pybind11::module_& m);
 void bind_draw(pybind11::module_& m);
+void bind_vector(pybind11::module_& m);
 
 }  // namespace fovea::bindings

@@ -17,6 +17,7 @@ PYBIND11_MODULE(_native, m) {
     bind_stroke(m);
     bind_color(m);
     bind_draw(m);
+    bind_vector(m);
     // Notes of Python code about the loaded module. Reimporting resets the module's attributes to those set here, but
     // this dict object stays the same.
     m.attr("notes") = pybind11::dict();

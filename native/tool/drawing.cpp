@@ -1,27 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <tool/drawing.h>
 
-#include <algorithm>
 #include <cerrno>
-#include <cmath>
 #include <cstdio>
 #include <tool/system.h>
 
 #include <fovea/base/check.h>
-#include <fovea/base/elementary.h>
 #include <fovea/base/files.h>
 #include <fovea/color/png.h>
+#include <fovea/color/srgb.h>
 #include <fovea/style/json.h>
 #include <fovea/style/json_value.h>
 
 namespace fovea::tool {
 namespace {
-
-std::uint8_t encoded(float linear) {
-    const float x = std::clamp(linear, 0.0f, 1.0f);
-    const float srgb = x <= 0.0031308f ? 12.92f * x : 1.055f * float(power(x, 1.0 / 2.4)) - 0.055f;
-    return static_cast<std::uint8_t>(std::lround(255.0f * srgb));
-}
 
 /// Writes a file, whole or not at all; throws std::invalid_argument, with the file and the cause.
 void write_whole(const std::string& bytes, const std::filesystem::path& file) {
@@ -74,10 +66,21 @@ void write_png(const Frame& frame, const std::filesystem::path& file) {
     Array<std::uint8_t> rgb(3 * frame.passes.combined.size());
     parallel_for(frame.passes.combined.size(), [&](std::size_t i) {
         const vec4& pixel = frame.passes.combined[i];
-        for (int c = 0; c < 3; ++c) rgb[3 * i + c] = encoded(pixel[c] + 1.0f - pixel.a);
+        for (int c = 0; c < 3; ++c) rgb[3 * i + c] = srgb_byte(pixel[c] + 1.0f - pixel.a);
     });
-    const std::string bytes = png_bytes(rgb, view.width, view.height);
-    write_whole(bytes, file);
+    write_whole(png_bytes(rgb, view.width, view.height), file);
+}
+
+std::optional<vector::Kind> vectors_of(const std::filesystem::path& file) {
+    const std::string suffix = name_of(file.extension());
+    return suffix.empty() ? std::nullopt : vector::kind_of(suffix.substr(1));
+}
+
+vector::Drawing write_vectors(Frame& frame, const vector::Options& options, vector::Kind kind,
+                              const std::filesystem::path& file) {
+    vector::Drawing drawing = vector::compose(frame, vector::fitting(kind, options));
+    write_whole(vector::bytes_of(drawing.document, kind), file);
+    return drawing;
 }
 
 }  // namespace fovea::tool

@@ -6,7 +6,8 @@
 #include <tool/camera.h>
 #include <tool/model.h>
 
-#include <fovea/draw/frame.h>
+#include <fovea/vector/compose.h>
+#include <fovea/vector/file.h>
 
 namespace fovea::tool {
 
@@ -25,5 +26,12 @@ Frame frame_of(const Model& model, const Camera& camera, const style::Style& sty
 /// Writes a frame's combined pass, over white where there is no paper, as an 8-bit sRGB PNG. The file is written
 /// completely or not at all. Throws std::invalid_argument, naming it, if it cannot be written.
 void write_png(const Frame& frame, const std::filesystem::path& file);
+
+/// The kind of vectors that a file's name says it has.
+std::optional<vector::Kind> vectors_of(const std::filesystem::path& file);
+
+/// Writes a frame's strokes as vectors, as write_png does pixels. What is in the file.
+vector::Drawing write_vectors(Frame& frame, const vector::Options& options, vector::Kind kind,
+                              const std::filesystem::path& file);
 
 }  // namespace fovea::tool

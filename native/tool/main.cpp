@@ -21,13 +21,18 @@ int main(int count, char** words) {
         const style::Style style =
             options.style.empty() ? tool::style_of(options.lines) : tool::read_style(options.style);
         Frame frame = tool::frame_of(model, options.camera, style, options.assets);
+        vector::Drawing drawing;
+        const std::optional<vector::Kind> vectors = tool::vectors_of(options.output);
         if (options.output.empty()) {
             frame.see();
+        } else if (vectors) {
+            drawing = tool::write_vectors(frame, options.vectors, *vectors, options.output);
         } else {
             frame.picture();
             tool::write_png(frame, options.output);
         }
-        const nlohmann::ordered_json found = tool::statistics(model, frame);
+        nlohmann::ordered_json found = tool::statistics(model, frame);
+        if (vectors) found["vectors"] = tool::statistics(drawing);
         // Names of files need not be UTF-8.
         std::cout << found.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << '\n' << std::flush;
         check(std::cout.good(), "the statistics could not be printed");

@@ -32,6 +32,26 @@ CLI::Validator within(int low, int high) {
     return CLI::Validator(check, "");
 }
 
+/// Sizes of paper by their names.
+std::map<std::string, vector::Sheet> sheets() {
+    std::map<std::string, vector::Sheet> named;
+    int number = 0;
+    for (const style::Choice& choice : style::choices_of<vector::Sheet>) named[choice.name] = vector::Sheet(number++);
+    return named;
+}
+
+void add_vectors(CLI::App& app, vector::Options& vectors) {
+    app.add_option("--paper", vectors.sheet, "of vectors: page (as the style says), pixels, a0 to a5, letter")
+        ->transform(CLI::CheckedTransformer(sheets(), CLI::ignore_case));
+    app.add_option("--paper-margin", vectors.margin, "millimeters free around the picture on a sheet of paper")
+        ->capture_default_str()
+        ->check(within(0, 1000));
+    app.add_option("--tolerance", vectors.tolerance, "millimeters that curves may be off")
+        ->capture_default_str()
+        ->check(within(0, 1000));
+    app.add_flag("--plotter", vectors.plotter, "lines of one width in an order of short ways");
+}
+
 void take_size(const std::string& text, Camera& camera) {
     char rest;
     if (std::sscanf(text.c_str(), "%5dx%5d%c", &camera.width, &camera.height, &rest) != 2 || camera.width < 1 ||
@@ -53,10 +73,11 @@ Options parse(int count, char** words) {
         ->delimiter(',')
         ->excludes(app.add_option("--style", options.style, "a style file, which says itself what its lines are"));
     app.add_option("--assets", options.assets, "the folder with the textures and papers that the style names");
-    app.add_option("-o,--output", options.output, "draws the model: a PNG file");
+    app.add_option("-o,--output", options.output, "draws the model: a PNG, SVG, PDF or DXF file");
     app.add_option_function<std::string>(
         "--size", [&](const std::string& text) { take_size(text, options.camera); },
         "of the picture, WIDTHxHEIGHT (1920x1080)");
+    add_vectors(app, options.vectors);
     Camera& camera = options.camera;
     app.add_option("--azimuth", camera.azimuth, "degrees left of the model's front")
         ->capture_default_str()

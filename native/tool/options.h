@@ -7,6 +7,8 @@
 #include <tool/camera.h>
 #include <vector>
 
+#include <fovea/vector/options.h>
+
 namespace fovea::tool {
 
 struct Options {
@@ -15,8 +17,9 @@ struct Options {
     Camera camera;
     std::filesystem::path style;   ///< a style file; empty: a style made of `lines`
     std::filesystem::path assets;  ///< a folder with textures and papers
-    std::filesystem::path output;  ///< a PNG file; empty: nothing is drawn
-    int threads = 0;               ///< 0: as many as the machine has
+    std::filesystem::path output;  ///< a PNG, SVG, PDF or DXF file; empty: nothing is drawn
+    vector::Options vectors;
+    int threads = 0;  ///< 0: as many as the machine has
 };
 
 /// Parses the command line. Exits the program on a request for help and on invalid arguments.

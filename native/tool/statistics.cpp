@@ -79,4 +79,10 @@ ordered_json statistics(const Model& model, const Frame& frame) {
     return found;
 }
 
+nlohmann::ordered_json statistics(const vector::Drawing& drawing) {
+    nlohmann::ordered_json found;
+    drawing.for_each_figure([&](const char* name, auto number) { found[name] = number; });
+    return found;
+}
+
 }  // namespace fovea::tool

@@ -14,4 +14,7 @@ std::vector<std::string> default_lines();
 /// style, pixels, strokes if there are any, and milliseconds per stage.
 nlohmann::ordered_json statistics(const Model& model, const Frame& frame);
 
+/// How much there is in a file of vectors.
+nlohmann::ordered_json statistics(const vector::Drawing& drawing);
+
 }  // namespace fovea::tool

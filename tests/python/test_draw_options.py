@@ -5,6 +5,7 @@ from pathlib import Path
 
 import pytest
 from command import draw_options
+from native_core import core
 
 NUMBERS = ("--lens", "--margin", "--azimuth", "--elevation", "--halo", "--overshoot")  # options of one number
 
@@ -180,3 +181,18 @@ def test_a_folder_is_no_picture(capsys, tmp_path):
 def test_each_frame_must_be_writable(capsys, tmp_path):
     (tmp_path / "out_0002.png").mkdir()
     assert "out_0002.png is a folder" in refused(capsys, "--frames", "1-3", "-o", str(tmp_path / "out.png"))
+
+
+def test_options_of_vectors_are_those_that_are_given_and_for_vectors_alone(capsys, tmp_path):
+    out = ["boxes:2", "-o", str(tmp_path / "out.svg")]
+    assert draw_options.vector_options(draw_options.parse(out)) == {}
+    options = draw_options.parse([*out, "--paper", "A4", "--paper-margin", "5", "--plotter", "--lines-alone"])
+    assert draw_options.vector_options(options) == {"sheet": "a4", "margin": 5.0, "plotter": True, "ground": False}
+    assert "--plotter is for vectors: name an output that ends in .svg" in refused(capsys, "boxes:2", "--plotter")
+    assert "--paper is for vectors" in refused(capsys, "boxes:2", "--paper", "a3", "-o", str(tmp_path / "out.png"))
+    assert "invalid choice" in refused(capsys, *out, "--paper", "b5")
+
+
+def test_sheets_and_kinds_of_vectors_are_those_of_the_module():
+    assert [name for name, *_ in core.SHEETS] == list(draw_options.SHEETS)
+    assert [f".{name}" for name, *_ in core.VECTORS] == list(draw_options.VECTORS)

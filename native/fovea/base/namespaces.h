@@ -60,5 +60,8 @@ using namespace stroke;
 namespace draw {
 using namespace color;
 }
+namespace vector {
+using namespace draw;
+}
 
 }  // namespace fovea

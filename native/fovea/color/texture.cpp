@@ -7,17 +7,11 @@
 #include <numbers>
 
 #include <fovea/base/check.h>
-#include <fovea/base/elementary.h>
 #include <fovea/base/parallel.h>
+#include <fovea/color/srgb.h>
 
 namespace fovea::color {
 namespace {
-
-float decoded(float value) { return value <= 0.04045f ? value / 12.92f : float(power((value + 0.055f) / 1.055f, 2.4)); }
-
-float encoded_of(float linear) {
-    return linear <= 0.0031308f ? 12.92f * linear : 1.055f * float(power(linear, 1.0 / 2.4)) - 0.055f;
-}
 
 std::uint8_t byte_of(float value) {
     return value > 0.0f ? static_cast<std::uint8_t>(std::min(value, 1.0f) * 255.0f + 0.5f) : 0;
@@ -26,7 +20,7 @@ std::uint8_t byte_of(float value) {
 const std::array<float, 256>& linear_of_byte() {
     static const std::array<float, 256> table = [] {
         std::array<float, 256> made;
-        for (int i = 0; i < 256; ++i) made[i] = decoded(float(i) / 255.0f);
+        for (int i = 0; i < 256; ++i) made[i] = from_srgb(float(i) / 255.0f);
         return made;
     }();
     return table;
@@ -52,7 +46,7 @@ ColorTexture::ColorTexture(In<float> pixels, int width, int height, int channels
         const float* p = &pixels[i * channels];
         const vec3 color = channels < 3 ? vec3(p[0]) : vec3(p[0], p[1], p[2]);
         Texel& texel = levels_[0].texels[i];
-        for (int c = 0; c < 3; ++c) texel[c] = byte_of(encoded ? color[c] : encoded_of(std::max(color[c], 0.0f)));
+        for (int c = 0; c < 3; ++c) texel[c] = byte_of(encoded ? color[c] : to_srgb(std::max(color[c], 0.0f)));
     });
     while (levels_.back().width > 1 || levels_.back().height > 1) {
         const Level& fine = levels_.back();
@@ -67,7 +61,7 @@ ColorTexture::ColorTexture(In<float> pixels, int width, int height, int channels
                     sum += linear(fine.texels[std::size_t(fy) * fine.width + fx]);
                 }
                 Texel& texel = half.texels[y * half.width + x];
-                for (int c = 0; c < 3; ++c) texel[c] = byte_of(encoded_of(0.25f * sum[c]));
+                for (int c = 0; c < 3; ++c) texel[c] = byte_of(to_srgb(0.25f * sum[c]));
             }
         });
         levels_.push_back(std::move(half));

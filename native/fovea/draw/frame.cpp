@@ -176,10 +176,12 @@ Emphasis Frame::emphasis(In<float> opacity) const {
             .distance_opacity = transfer_of(job.style.distance.opacity)};
 }
 
-Strokes Frame::strokes_with(In<float> opacity) const {
+Inking Frame::inking(In<float> opacity) const {
     check(drawn != nullptr, "frame: its strokes are not made yet");
-    return tessellate(*clipped, *drawn, pen_of_run_, paths->strength, pens.pens, samples, emphasis(opacity), paths->id);
+    return {*clipped, *drawn, pen_of_run_, paths->strength, pens.pens, samples, emphasis(opacity), paths->id};
 }
+
+Strokes Frame::strokes_with(In<float> opacity) const { return tessellate(inking(opacity)); }
 
 /// Runs for strokes: with haloes, contours extended to meet other lines, and overshoot. Overshoot is at most a quarter
 /// of a line's length.

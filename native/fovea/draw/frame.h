@@ -19,7 +19,7 @@
 #include <fovea/focus/focus.h>
 #include <fovea/path/paths.h>
 #include <fovea/scene/tracer.h>
-#include <fovea/stroke/emphasis.h>
+#include <fovea/stroke/drawn_line.h>
 #include <fovea/stroke/strokes.h>
 #include <fovea/visibility/depth.h>
 #include <fovea/visibility/runs.h>
@@ -105,8 +105,12 @@ class Frame {
 
     /// Effects of focus and distance on lines, with this elision opacity at each sample. Requires filter().
     stroke::Emphasis emphasis(In<float> opacity) const;
+    /// What strokes of the drawn runs are made of, with this elision opacity at each sample. Borrows. Requires ink().
+    Inking inking(In<float> opacity) const;
     /// Strokes of the drawn runs, with this elision opacity at each sample. Requires ink().
     Strokes strokes_with(In<float> opacity) const;
+    /// What lies under the lines: colors on paper, bottom row first, scene-linear. Requires picture().
+    Array<vec4> ground() const;
     /// The focus field in the coordinates of this view.
     const Focus& focus_function();
 
@@ -133,7 +137,7 @@ class Frame {
     Array<float> focus_of_fewer_pixels();
     bool colors_answer() const;
     void focus_colors();
-    void put_on_paper();
+    void put_on_paper(In<vec4> lines, Array<vec4>& out) const;
 
     Array<Index> pen_of_run_;
     Step done_ = Step::none;

@@ -64,7 +64,7 @@ void Frame::picture() {
         if (job.options.with_focus || colors_answer()) passes.focus = focus_of_pixels();
         if (!passes.color.empty()) focus_colors();
     });
-    stage("paper", 0.05, [&] { put_on_paper(); });
+    stage("paper", 0.05, [&] { put_on_paper(passes.lines, passes.combined); });
     if (job.options.with_depth)
         stage("depth", 0.05, [&] {
             depth();
@@ -93,15 +93,20 @@ void Frame::focus_colors() {
     if (e.blur.strength != 0.0) blur(passes.color, job.view.width, amounts(e.blur, at, float(e.blur_radius * scale())));
 }
 
-void Frame::put_on_paper() {
+Array<vec4> Frame::ground() const {
+    Array<vec4> pixels;
+    put_on_paper(Array<vec4>(std::size_t(job.view.width) * job.view.height, vec4(0.0f)), pixels);
+    return pixels;
+}
+
+void Frame::put_on_paper(In<vec4> lines, Array<vec4>& out) const {
     const style::Paper& paper = job.style.paper;
     const Array<float> holdout = holdout_image(*tracer, cancel());
     const auto texture = job.assets->paper(paper.texture);
     const auto water = job.style.color.backruns > 0.0 ? job.assets->wash("water") : nullptr;
     const Array<float> density =
         paper.transparent ? Array<float>() : wash_density(passes.color, job.view, water.get(), paper, job.style.color);
-    on_paper(passes.lines, passes.color, density, holdout, job.view, texture.get(), paper, job.style.color,
-             passes.combined);
+    on_paper(lines, passes.color, density, holdout, job.view, texture.get(), paper, job.style.color, out);
 }
 
 Array<float> Frame::focus_of_pixels() {

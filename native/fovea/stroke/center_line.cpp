@@ -11,7 +11,6 @@ namespace {
 
 constexpr double small_step = 1.5;      // px; longer steps are shape, not noise of a dense mesh
 constexpr double largest_shift = 0.15;  // px by which smoothing may move a point
-constexpr double tolerance = 0.1;       // px between a dropped point and the line that replaces it
 constexpr double shortest = 0.05;       // px between neighbors; shorter segments have no reliable direction
 constexpr float strength_step = 0.05f;  // change of strength at which a point is kept
 constexpr int taper_steps = 4;
@@ -21,9 +20,10 @@ constexpr double tip_width = 0.2;
 
 CenterPoint mix(const CenterPoint& a, const CenterPoint& b, double t) {
     const float s = float(t);
-    return {glm::mix(a.px, b.px, t),           glm::mix(a.arc, b.arc, t), glm::mix(a.half_width, b.half_width, s),
-            glm::mix(a.opacity, b.opacity, s), glm::mix(a.mix, b.mix, s), glm::mix(a.shown, b.shown, s),
-            glm::mix(a.tint, b.tint, s)};
+    return {
+        glm::mix(a.px, b.px, t),           glm::mix(a.arc, b.arc, t),          glm::mix(a.half_width, b.half_width, s),
+        glm::mix(a.opacity, b.opacity, s), glm::mix(a.mix, b.mix, s),          glm::mix(a.shown, b.shown, s),
+        glm::mix(a.tint, b.tint, s),       glm::mix(a.thinness, b.thinness, s)};
 }
 
 CenterPoint point_of(const ClippedPaths& clipped, In<float> strength, Index i) {
@@ -35,29 +35,30 @@ CenterPoint point_of(const ClippedPaths& clipped, In<float> strength, Index i) {
 /// The cone of directions from `origin` that pass all points seen so far within the tolerance.
 class Cone {
    public:
-    explicit Cone(const CenterPoint& origin) : origin_(origin) {}
+    Cone(const CenterPoint& origin, double tolerance) : origin_(origin), tolerance_(tolerance) {}
 
     bool admits(const CenterPoint& p) const {
         if (std::abs(p.opacity - origin_.opacity) > strength_step) return false;
         const dvec2 d = p.px - origin_.px;
-        if (glm::length(d) < far_ - tolerance) return false;  // turns back
-        return far_ <= tolerance || (cross(right_, d) >= 0.0 && cross(d, left_) >= 0.0);
+        if (glm::length(d) < far_ - tolerance_) return false;  // turns back
+        return far_ <= tolerance_ || (cross(right_, d) >= 0.0 && cross(d, left_) >= 0.0);
     }
 
     void narrow(const CenterPoint& p) {
         const dvec2 d = p.px - origin_.px;
         const double distance = glm::length(d);
-        if (distance > tolerance) {
-            const double s = tolerance / distance, c = std::sqrt(1.0 - s * s);
+        if (distance > tolerance_) {
+            const double s = tolerance_ / distance, c = std::sqrt(1.0 - s * s);
             const dvec2 right(d.x * c + d.y * s, d.y * c - d.x * s), left(d.x * c - d.y * s, d.y * c + d.x * s);
-            if (far_ <= tolerance || cross(right_, right) > 0.0) right_ = right;
-            if (far_ <= tolerance || cross(left, left_) > 0.0) left_ = left;
+            if (far_ <= tolerance_ || cross(right_, right) > 0.0) right_ = right;
+            if (far_ <= tolerance_ || cross(left, left_) > 0.0) left_ = left;
         }
         far_ = std::max(far_, distance);
     }
 
    private:
     CenterPoint origin_;
+    double tolerance_;
     double far_ = 0.0;
     dvec2 right_{0.0}, left_{0.0};
 };
@@ -154,15 +155,15 @@ std::vector<double> multiples(const CenterLine& line, double step) {
     return arcs;
 }
 
-void simplify(CenterLine& line) {
+void simplify(CenterLine& line, double tolerance_px) {
     if (line.size() < 2) return line.clear();
     even_out(line);
     std::size_t kept = 1;
-    Cone cone(line[0]);
+    Cone cone(line[0], tolerance_px);
     for (std::size_t i = 1; i < line.size(); ++i) {
         if (!cone.admits(line[i])) {
             if (glm::distance(line[i - 1].px, line[kept - 1].px) > shortest) line[kept++] = line[i - 1];
-            cone = Cone(line[i - 1]);
+            cone = Cone(line[i - 1], tolerance_px);
         }
         cone.narrow(line[i]);
     }
@@ -200,13 +201,15 @@ void shape(CenterLine& line, const PenPair& pens, TaperedEnds tapered) {
         const float width = width_of(pens, p) * float(1.0 - thinning * (1.0 - x) * (1.0 - x));
         const float faded = glm::mix(p.opacity, 1.0f, float(pen.look.strength_width));
         p.half_width = std::max(width, 1.0f) / 2.0f;
-        p.opacity = faded * std::min(width, 1.0f) * glm::mix(opacity, away, p.mix.w) * p.shown;
+        p.thinness = std::min(width, 1.0f);
+        p.opacity = faded * p.thinness * glm::mix(opacity, away, p.mix.w) * p.shown;
     }
 }
 
 void thin(CenterPoint& point, float factor) {
     const float width = 2.0f * point.half_width * factor;
     point.half_width = std::max(width, 1.0f) / 2.0f;
+    point.thinness *= std::min(width, 1.0f);
     point.opacity *= std::min(width, 1.0f);
 }
 

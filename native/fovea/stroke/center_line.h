@@ -21,6 +21,8 @@ struct CenterPoint {
     float shown = 1.0f;
     /// Mix towards the pen's second color, in [0,1] (along.h).
     float tint = 0.0f;
+    /// Width of the pen as a fraction of the drawn width; below 1 where the pen is thinner than a pixel.
+    float thinness = 1.0f;
 };
 
 using CenterLine = std::vector<CenterPoint>;
@@ -32,10 +34,10 @@ void cut(const ClippedPaths& clipped, In<float> strength, Index piece, double st
 /// Extends a line straight beyond its ends by these lengths (0 or less: not at all).
 void lengthen(CenterLine& line, double before_px, double after_px);
 
-/// Smooths zigzags with steps below 1.5 px (points move by at most .15 px), then drops points within .1 px of the
-/// segment between the remaining ones, and coincident points. Ends stay. A line without length becomes fewer than two
-/// points.
-void simplify(CenterLine& line);
+/// Smooths zigzags with steps below 1.5 px (points move by at most .15 px), then drops points within `tolerance_px` of
+/// the segment between the remaining ones, and coincident points. Ends stay. A line without length becomes fewer than
+/// two points.
+void simplify(CenterLine& line, double tolerance_px = 0.1);
 
 /// Inserts points at the given arc lengths (ascending), except within `near_px` of existing ones.
 void insert_points(CenterLine& line, In<double> arcs, double near_px = 0.5);

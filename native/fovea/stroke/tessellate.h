@@ -2,9 +2,8 @@
 // Tessellates runs into strokes: triangle strips with pens.
 #pragma once
 
-#include <fovea/stroke/emphasis.h>
+#include <fovea/stroke/drawn_line.h>
 #include <fovea/stroke/strokes.h>
-#include <fovea/visibility/runs.h>
 
 namespace fovea::stroke {
 
@@ -13,12 +12,7 @@ namespace fovea::stroke {
 /// Independent of the number of threads.
 /// - A run over the whole of a closed piece is closed; other runs end in the pen's caps, and taper at free ends of
 ///   their path; runs that start before their piece or end after it are extended straight.
-/// - `pen_of_run`: index into `pens` per run; `none` draws nothing.
-/// - `strength`: per point of Paths, in [0,1]; reduces width or opacity (center_line.h); empty: 1.
-/// - `emphasis`: mixes each pen with its out-of-focus pen, and fades elided lines.
-/// - `ids`: per path of Paths, seed of its wobble and noise; empty: the path's number.
-/// - `visibility`: per atlas sample; partly visible samples at the ends of runs fade them out (fade.h). Empty: all ends
-///   are sharp.
+Strokes tessellate(const Inking& inking);
 Strokes tessellate(const ClippedPaths& clipped, const Runs& runs, In<Index> pen_of_run, In<float> strength,
                    In<Pen> pens, In<float> visibility = {}, const Emphasis& emphasis = {}, In<std::uint64_t> ids = {});
 

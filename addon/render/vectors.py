@@ -1,0 +1,39 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Final renders as vectors: the strokes of a picture as curves in files."""
+
+from functools import partial
+
+from .. import files, native, pipeline
+from . import as_rendered, session
+
+
+def options(**given):
+    """Native VectorOptions; those not given have their defaults."""
+    return native.load().VectorOptions(**given)
+
+
+def choices(of):
+    """(name, label, description) of what an option can be: of `VECTORS`, the kinds of files, `SHEETS` or `WIDTHS`."""
+    return [] if native.problem() else getattr(native.load(), of)
+
+
+def drawing(context, kind, asked, **how):
+    """The native Drawing, for files of a kind (svg, pdf, dxf), of a final render of the context's frame and view layer
+    with VectorOptions, or None if the user canceled it; `how` as for `session.final`."""
+    make = partial(_drawing, kind=kind, asked=asked)
+    found = as_rendered.look(context, partial(session.final, make=make, **how))
+    return found and found[1]
+
+
+def write(drawn, path):
+    """Writes a Drawing to a file, which is whole or not there."""
+    content = drawn.file()
+    with files.written(path) as fresh:
+        fresh.write_bytes(content)
+
+
+def _drawing(found, seen, chosen, backend, options_of_frame, progress, cancel, near, *, kind, asked):
+    beside = {"colors": found.colors, "notes": found.notes, "near": near, "progress": progress, "cancel": cancel}
+    frame = pipeline.frame(found.placed, seen, chosen, backend, options_of_frame, **beside)
+    with native.refusals():
+        return native.load().Drawing(frame, asked, kind)

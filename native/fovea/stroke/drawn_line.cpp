@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fovea/stroke/drawn_line.h>
+
+#include <algorithm>
+#include <string>
+
+#include <fovea/base/check.h>
+#include <fovea/path/paths.h>
+#include <fovea/stroke/hand.h>
+
+namespace fovea::stroke {
+namespace {
+
+constexpr double whole_error = 1e-3;  // px: tolerance for a run that covers its whole piece
+
+/// The pens of runs, and the places of strength.
+void check_pens(const Inking& inking) {
+    const auto& [clipped, runs, pen_of_run, strength, pens, visibility, emphasis, ids, tolerance] = inking;
+    const std::size_t count = runs.size();
+    check(runs.start_px.size() == count && runs.end_px.size() == count && runs.invisibility.size() == count,
+          "runs: piece, start_px, end_px and invisibility must have the same length");
+    check(pen_of_run.size() == count, "pen_of_run: one entry per run expected");
+    check(clipped.path_length_px.size() == clipped.pieces.count(), "path_length_px: one entry per piece expected");
+    Index piece = 0, pen = 0;
+    for (const Index q : runs.piece) piece = std::max(piece, q);
+    check(runs.piece.empty() || piece < clipped.pieces.count(), "runs: there is no piece " + std::to_string(piece));
+    for (const Index p : pen_of_run) pen = std::max(pen, p + 1);  // none + 1 == 0
+    check(pen <= pens.size(), "pen_of_run: there is no pen " + std::to_string(pen - 1));
+    for (const Pen& p : pens)
+        check(p.away == none || p.away < pens.size(),
+              "pen: there is no pen " + std::to_string(p.away) + " out of focus");
+    if (strength.empty()) return;
+    std::size_t source = 0;
+    for (std::size_t i = 0; i < clipped.source.size(); ++i)
+        source = std::max<std::size_t>(source, clipped.source[i] + std::size_t(clipped.source_t[i] > 0.0f));
+    check(clipped.source.empty() || source < strength.size(), "strength: no entry for point " + std::to_string(source));
+}
+
+}  // namespace
+
+void check_inking(const Inking& inking) {
+    const ClippedPaths& clipped = inking.clipped;
+    check_pens(inking);
+    check_emphasis(clipped, inking.emphasis);
+    check(inking.ids.empty() || clipped.path.empty() || clipped.path.back() < inking.ids.size(),
+          "ids: one per path expected");
+    check(inking.visibility.empty() || inking.visibility.size() == clipped.samples,
+          "visibility: one value per atlas sample expected");
+}
+
+bool LineShaper::shape(Index run, DrawnLine& out) const {
+    const auto& [clipped, runs, pen_of_run, strength, pens, visibility, emphasis, ids, tolerance] = inking_;
+    CenterLine& line = out.points;
+    const Index piece = runs.piece[run], pen = pen_of_run[run];
+    if (clipped.pieces.size(piece) < 2) return false;
+    const double first = clipped.first_arc(piece), last = clipped.last_arc(piece);
+    // Overshoot is extended straight.
+    const double before = first - runs.start_px[run], after = runs.end_px[run] - last;
+    Fade fade;
+    find_fade(clipped, visibility, piece, std::max(runs.start_px[run], first), std::min(runs.end_px[run], last),
+              runs.invisibility[run] != 0, fade);
+    const double start = fade.start_px, stop = fade.end_px;
+    const bool from_first = start<first + whole_error, to_last = stop> last - whole_error;
+    out.closed = clipped.closed[piece] && from_first && to_last;
+    cut(clipped, strength, piece, start, stop, line);
+    if (!out.closed) lengthen(line, before, after);
+    simplify(line, tolerance);
+    insert_bends(line, fade);
+    EmphasisAlong along;
+    find_emphasis(clipped, emphasis, piece, start, stop, along);
+    emphasize(line, along);
+    const Index path = clipped.path[piece];
+    const style::Pen& look = pens[pen].look;
+    const std::uint64_t seed = (ids.empty() ? path : ids[path]) + static_cast<Index>(look.seed);
+    wobble(line, float(look.wobble), float(look.wobble_length), seed);
+    const int free = clipped.free_ends[piece];
+    const Index away = pens[pen].away == none ? pen : pens[pen].away;
+    const PenPair pair{pens[pen], pens[away]};
+    stroke::shape(line, pair, {(free & free_start) && from_first, (free & free_end) && to_last});
+    press(line, float(look.pressure));
+    modify(line, pair, modifiers_[pen], modifiers_[away], {clipped, piece, out.closed, seed});
+    fade_ends(line, fade);
+    return line.size() >= 2;
+}
+
+}  // namespace fovea::stroke

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The center line of a run as its pen draws it, whatever makes marks of it: triangles (tessellate.h) or curves.
+#pragma once
+
+#include <fovea/stroke/along.h>
+#include <fovea/stroke/emphasis.h>
+#include <fovea/stroke/fade.h>
+#include <fovea/visibility/runs.h>
+
+namespace fovea::stroke {
+
+/// What the strokes of a picture are made of. Borrowed.
+struct Inking {
+    const ClippedPaths& clipped;
+    const Runs& runs;
+    In<Index> pen_of_run;  ///< index into `pens` per run; `none` draws nothing
+    In<float> strength;    ///< per point of Paths, in [0,1]; reduces width or opacity; empty: 1
+    In<Pen> pens;
+    In<float> visibility = {};   ///< per atlas sample; partly visible ends fade (fade.h). Empty: all are sharp
+    Emphasis emphasis = {};      ///< mixes each pen with its out-of-focus pen, and fades elided lines
+    In<std::uint64_t> ids = {};  ///< per path of Paths, seed of its wobble and noise; empty: the path's number
+    double tolerance_px = 0.1;   ///< of what is drawn beside the run, as `simplify` takes it
+};
+
+/// Throws std::invalid_argument where arrays do not fit together.
+void check_inking(const Inking& inking);
+
+/// A run's center line with the width, opacity and mixes of its pen. `closed`: its last point repeats the first.
+struct DrawnLine {
+    CenterLine points;
+    bool closed = false;
+};
+
+/// Shapes one run after the other.
+class LineShaper {
+   public:
+    /// `inking` must be checked, and outlive this.
+    explicit LineShaper(const Inking& inking) : inking_(inking), modifiers_(inking.pens.begin(), inking.pens.end()) {}
+
+    /// Shapes a run that has a pen. False for one without length in pixels, of which nothing is drawn.
+    bool shape(Index run, DrawnLine& out) const;
+
+   private:
+    const Inking& inking_;
+    std::vector<Modifiers> modifiers_;
+};
+
+}  // namespace fovea::stroke

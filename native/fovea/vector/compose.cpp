@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fovea/vector/compose.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include <fovea/base/check.h>
+#include <fovea/color/png.h>
+#include <fovea/color/srgb.h>
+#include <fovea/vector/fit.h>
+#include <fovea/vector/plot.h>
+#include <fovea/vector/text.h>
+#include <fovea/vector/tracing.h>
+
+namespace fovea::vector {
+namespace {
+
+dvec3 displayed(const dvec3& linear) {
+    dvec3 color(0.0);
+    for (int c = 0; c < 3; ++c) color[c] = color::to_srgb(std::clamp(float(linear[c]), 0.0f, 1.0f));
+    return color;
+}
+
+/// Layers of the line sets, empty; what is not drawn is taken out later.
+std::vector<Layer> layers_of(const style::Style& style) {
+    std::vector<Layer> layers;
+    for (const style::LineSet& set : style.line_sets) {
+        const std::string number = std::to_string(layers.size() + 1), id = "lines" + number;
+        layers.push_back({id, number + " " + set.name, set.name, {}, {}});
+        layers.back().layers = {{id + "-hidden", "hidden", {}, {}, {}}, {id + "-visible", "visible", {}, {}, {}}};
+    }
+    return layers;
+}
+
+void take_out_empty(std::vector<Layer>& layers) {
+    for (Layer& layer : layers) take_out_empty(layer.layers);
+    std::erase_if(layers, [](const Layer& layer) { return layer.paths.empty() && layer.layers.empty(); });
+}
+
+/// The colors and the paper below the lines, if they are more than one color.
+std::optional<Image> image_of(Frame& frame, const Page& page) {
+    const style::Style& style = frame.job.style;
+    const bool colored = frame.job.colors && style.has_color();
+    if (!colored && (style.paper.transparent || style.paper.texture == "none" || style.paper.tint == 0.0)) return {};
+    frame.picture();
+    const View& view = frame.job.view;
+    const Array<vec4> pixels = frame.ground();
+    Array<std::uint8_t> rgb(3 * pixels.size());
+    parallel_for(pixels.size(), [&](std::size_t i) {
+        for (int c = 0; c < 3; ++c) rgb[3 * i + c] = color::srgb_byte(pixels[i][c] + 1.0f - pixels[i].a);
+    });
+    const dvec2 size(view.width, view.height);
+    return Image{png_bytes(rgb, view.width, view.height), page.lower, page.scale * size};
+}
+
+void check_options(const Options& options) {
+    style::for_each_field<Options>([&]<typename V>(const style::Field<Options, V>& field) {
+        if constexpr (std::is_same_v<V, double>) {
+            const double value = options.*field.member;
+            check(value >= field.domain.least && value <= field.domain.most,
+                  std::string("vectors: ") + field.name + " is " + number(value) + ", outside " +
+                      number(field.domain.least) + " to " + number(field.domain.most) + " mm");
+        }
+    });
+}
+
+/// Names of paths: the id of the line, and the number of the part of it.
+class Names {
+   public:
+    explicit Names(const Frame& frame) : frame_(frame) {}
+
+    std::string next(Index run) {
+        const std::uint64_t id = frame_.paths->id[frame_.clipped->path[frame_.drawn->piece[run]]];
+        return "p" + hexadecimal(id) + "-" + std::to_string(++parts_[id]);
+    }
+
+   private:
+    const Frame& frame_;
+    std::map<std::uint64_t, int> parts_;  // of a line so far
+};
+
+/// The line set of a drawn run.
+Index line_set_of(const Frame& frame, Index run) {
+    return frame.paths->line_set[frame.clipped->path[frame.drawn->piece[run]]];
+}
+
+/// Layers of the line sets with the paths of all marks.
+std::vector<Layer> drawn_layers(const Frame& frame, const std::vector<Mark>& marks, const Tracing& tracing) {
+    std::vector<Path> paths(marks.size());
+    parallel_for(paths.size(), 16, [&](std::size_t i) { paths[i] = tracing.path_of(marks[i]); });
+    std::vector<Layer> layers = layers_of(frame.job.style);
+    Names names(frame);
+    for (std::size_t i = 0; i < paths.size(); ++i) {
+        if (paths[i].curves.empty()) continue;
+        paths[i].id = names.next(marks[i].run);
+        const bool visible = paths[i].invisibility == 0;
+        layers[line_set_of(frame, marks[i].run)].layers[visible].paths.push_back(std::move(paths[i]));
+    }
+    return layers;
+}
+
+/// The same with a layer for each pen, and what a plotter draws of the marks: lines of one width each.
+std::vector<Layer> plotted_layers(const Frame& frame, const std::vector<Mark>& marks, const Tracing& tracing,
+                                  double unit_mm) {
+    std::vector<Layer> layers;
+    Names names(frame);
+    for (const Layer& of_set : layers_of(frame.job.style))
+        for (const Layer& part : of_set.layers) {
+            const bool hidden = &part == &of_set.layers.front();
+            const Index set = Index(layers.size() / 2);
+            std::vector<Line> lines;
+            double width = 0.0;
+            for (std::size_t i = 0; i < marks.size(); ++i) {
+                if (line_set_of(frame, marks[i].run) != set || hidden != (frame.drawn->invisibility[marks[i].run] != 0))
+                    continue;
+                lines.push_back({marks[i].points, marks[i].closed, i});
+                width = std::max(width, mean_width(marks[i]));
+            }
+            layers.push_back({part.id,
+                              std::to_string(layers.size() + 1) + " " + of_set.line_set + (hidden ? " hidden" : ""),
+                              of_set.line_set,
+                              {},
+                              {}});
+            for (const Line& line : as_plotted(std::move(lines), unit_mm)) {
+                Path path = tracing.owner_of(marks[line.origin]);
+                path.look = {.color = marks[line.origin].color, .width = width};
+                path.curves = {fit(line.points, line.closed, tracing.tolerance())};
+                if (path.curves[0].empty()) continue;
+                path.id = names.next(marks[line.origin].run);
+                layers.back().paths.push_back(std::move(path));
+            }
+        }
+    return layers;
+}
+
+}  // namespace
+
+Drawing compose(Frame& frame, const Options& options) {
+    check_options(options);
+    frame.ink();
+    const Page page = page_of(frame.job.view, frame.job.style.paper, options);
+    Drawing made;
+    Document& document = made.document;
+    document.size = page.size;
+    document.in_pixels = options.sheet == Sheet::pixels;
+    if (options.ground && !options.plotter) {
+        if (!frame.job.style.paper.transparent) document.paper = displayed(frame.job.style.paper.color);
+        document.image = image_of(frame, page);
+    }
+    const Cutting cutting = options.plotter                    ? Cutting::elision
+                            : options.widths == Widths::center ? Cutting::unseen
+                                                               : Cutting::by_ink;
+    Marks found = marks_of(frame, page, options.tolerance / page.unit_mm, cutting);
+    const Tracing tracing(frame, options, page, found.grains);
+    std::set<Index> strokes;
+    for (const Mark& mark : found.marks) strokes.insert(mark.run);
+    if (options.plotter || options.dashes_apart) {
+        std::vector<Mark> dashes;
+        for (const Mark& mark : found.marks)
+            for (Mark& dash : tracing.dashes_of(mark)) dashes.push_back(std::move(dash));
+        found.marks = std::move(dashes);
+    }
+    document.layers = options.plotter ? plotted_layers(frame, found.marks, tracing, page.unit_mm)
+                                      : drawn_layers(frame, found.marks, tracing);
+    take_out_empty(document.layers);
+    made.figures.strokes = strokes.size();
+    made.figures.polyline_numbers = found.numbers;
+    for_each_path(document.layers, [&](const Path& path) {
+        ++made.figures.paths;
+        for (const Curve& curve : path.curves) made.figures.numbers += 2 * curve.points.size();
+    });
+    if (options.plotter) made.way = put_in_order(document, page.unit_mm);
+    return made;
+}
+
+}  // namespace fovea::vector

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fovea/vector/grain.h>
+
+#include <algorithm>
+
+namespace fovea::vector {
+namespace {
+
+constexpr float no_ink = 0.1f, full_ink = 0.9f;
+constexpr double most_between = 0.15;  // of the columns of dashes that have neither none nor full ink
+constexpr double least_gap = 0.05;     // of the columns
+
+In<float> row(const PenTexture& texture, int y) {
+    return {texture.ink.data() + std::size_t(y) * texture.width, std::size_t(texture.width)};
+}
+
+double mean(In<float> ink) {
+    double sum = 0.0;
+    for (const float value : ink) sum += value;
+    return sum / double(ink.size());
+}
+
+bool is_dashed(In<float> ink) {
+    const auto share = [&](const auto& holds) {
+        return double(std::ranges::count_if(ink, holds)) / double(ink.size());
+    };
+    return share([](float v) { return v >= no_ink && v <= full_ink; }) < most_between &&
+           share([](float v) { return v < no_ink; }) > least_gap;
+}
+
+/// Lengths of ink and of gaps in turn, from the first start of ink on.
+void find_dashes(In<float> ink, Grain& grain) {
+    const std::size_t count = ink.size();
+    const auto inked = [&](std::size_t x) { return ink[x % count] > 0.5f; };
+    std::size_t x = 0;
+    while (x < count && !(inked(x) && !inked(x + count - 1))) ++x;
+    if (x == count) return;
+    grain.first = double(x) / double(count);
+    for (const std::size_t end = x + count; x < end;) {
+        const std::size_t from = x;
+        while (x < end && inked(x) == inked(from)) ++x;
+        grain.dashes.push_back(double(x - from) / double(count));
+    }
+}
+
+}  // namespace
+
+Grain grain_of(const PenTexture* texture) {
+    Grain grain;
+    if (!texture || texture->ink.empty()) return grain;
+    const In<float> middle = row(*texture, texture->height / 2);
+    if (is_dashed(middle)) {
+        find_dashes(middle, grain);
+        // Of a half disc the outermost rows have next to none.
+        grain.round = mean(row(*texture, 0)) < 0.9 * mean(middle);
+        return grain;
+    }
+    double sum = 0.0, most = 0.0;
+    for (int y = 0; y < texture->height; ++y) {
+        const double ink = mean(row(*texture, y));
+        sum += ink;
+        most = std::max(most, ink);
+    }
+    if (most <= 0.0) return grain;
+    grain.opacity = most;
+    grain.width = sum / texture->height / most;
+    return grain;
+}
+
+}  // namespace fovea::vector

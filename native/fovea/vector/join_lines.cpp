@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fovea/vector/join_lines.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <tuple>
+
+#include <fovea/vector/fit_cubic.h>
+#include <fovea/vector/point_grid.h>
+
+namespace fovea::vector {
+namespace {
+
+constexpr double parallel = 0.9986;  // cosine of 3 degrees
+constexpr double side_length = 0.5;  // in cells of the grid: sides of kept lines are cut into such parts
+
+/// Sides of lines that are kept, by place.
+class Kept {
+   public:
+    explicit Kept(double near) : near_(near), grid_(std::max(10.0 * near, 1e-6)) {}
+
+    void add(const Points& points) {
+        for (std::size_t i = 1; i < points.size(); ++i) {
+            const dvec2 a = points[i - 1], b = points[i];
+            const int parts = std::max(1, int(std::ceil(glm::distance(a, b) / (side_length * grid_.cell()))));
+            for (int k = 0; k < parts; ++k) {
+                const dvec2 from = glm::mix(a, b, double(k) / parts), to = glm::mix(a, b, (k + 1.0) / parts);
+                grid_.add(0.5 * (from + to), sides_.size());
+                sides_.push_back({from, to});
+            }
+        }
+    }
+
+    /// Whether a short side runs along a kept one.
+    bool has(const dvec2& a, const dvec2& b) const {
+        const dvec2 middle = 0.5 * (a + b), way = b - a;
+        bool found = false;
+        grid_.near(middle, [&](std::size_t number) {
+            const auto& [from, to] = sides_[number];
+            const double along = std::abs(glm::dot(way, to - from));
+            found = found || (distance_to_segment(middle, from, to) <= near_ &&
+                              along >= parallel * glm::length(way) * glm::distance(from, to));
+        });
+        return found;
+    }
+
+    double step() const { return side_length * grid_.cell(); }
+
+   private:
+    double near_;
+    PointGrid grid_;
+    std::vector<std::pair<dvec2, dvec2>> sides_;
+};
+
+/// A line with points at most a step apart.
+Points in_steps(const Points& points, double step) {
+    Points fine{points.front()};
+    for (std::size_t i = 1; i < points.size(); ++i) {
+        const int parts = std::max(1, int(std::ceil(glm::distance(points[i - 1], points[i]) / step)));
+        for (int k = 1; k < parts; ++k) fine.push_back(glm::mix(points[i - 1], points[i], double(k) / parts));
+        fine.push_back(points[i]);
+    }
+    return fine;
+}
+
+/// The parts of a line that are not there yet; the whole line where what is there is shorter than `least`.
+std::vector<Line> left_of_line(const Line& line, const Kept& kept, double least) {
+    const Points fine = in_steps(line.points, kept.step());
+    std::vector<bool> there(fine.size() - 1);
+    for (std::size_t i = 0; i < there.size(); ++i) there[i] = kept.has(fine[i], fine[i + 1]);
+    std::vector<Line> parts;
+    bool any = false;
+    const auto stretch_end = [&](std::size_t i) {
+        std::size_t end = i;
+        while (end < there.size() && there[end] == there[i]) ++end;
+        return end;
+    };
+    const auto length = [&](std::size_t from, std::size_t to) {
+        return length_of(In<dvec2>(fine).subspan(from, to - from + 1));
+    };
+    for (std::size_t i = 0; i < there.size();) {
+        const std::size_t end = stretch_end(i);
+        if (there[i] && length(i, end) <= least) std::fill(there.begin() + i, there.begin() + end, false);
+        any = any || there[i];
+        i = end;
+    }
+    if (!any) return {line};
+    for (std::size_t i = 0; i < there.size();) {
+        const std::size_t end = stretch_end(i);
+        if (!there[i] && length(i, end) > least)
+            parts.push_back({Points(fine.begin() + i, fine.begin() + end + 1), false, line.origin});
+        i = end;
+    }
+    return parts;
+}
+
+/// An end of a line: number 2 l is the start of line l, 2 l + 1 its end.
+dvec2 end_of(const std::vector<Line>& lines, std::size_t number) {
+    const Points& points = lines[number / 2].points;
+    return number % 2 ? points.back() : points.front();
+}
+
+/// Unit vector out of a line at one of its ends, over a length in which a bend counts.
+dvec2 way_out(const std::vector<Line>& lines, std::size_t number, double over) {
+    const Points& points = lines[number / 2].points;
+    const dvec2 end = end_of(lines, number);
+    dvec2 other = end;
+    for (std::size_t k = 1; k < points.size() && glm::distance(other, end) < over; ++k)
+        other = number % 2 ? points[points.size() - 1 - k] : points[k];
+    return glm::length(end - other) > 0.0 ? glm::normalize(end - other) : dvec2(0.0);
+}
+
+/// Which end each end is joined to; `nobody`: to none.
+constexpr std::size_t nobody = std::size_t(-1);
+
+std::vector<std::size_t> pairs_of(const std::vector<Line>& lines, double near) {
+    PointGrid grid(std::max(near, 1e-6));
+    std::vector<std::tuple<double, std::size_t, std::size_t>> pairs;  // by how much the way turns back
+    for (std::size_t e = 0; e < 2 * lines.size(); ++e) {
+        if (lines[e / 2].closed) continue;
+        const dvec2 place = end_of(lines, e);
+        grid.near(place, [&](std::size_t other) {
+            // A line that is shorter than that is no loop.
+            if (other / 2 == e / 2 && length_of(lines[e / 2].points) < 4.0 * near) return;
+            if (glm::distance(end_of(lines, other), place) > near) return;
+            pairs.emplace_back(glm::dot(way_out(lines, e, 5.0 * near), way_out(lines, other, 5.0 * near)), other, e);
+        });
+        grid.add(place, e);
+    }
+    std::ranges::sort(pairs);
+    std::vector<std::size_t> partner(2 * lines.size(), nobody);
+    for (const auto& [turn, a, b] : pairs)
+        if (partner[a] == nobody && partner[b] == nobody) {
+            partner[a] = b;
+            partner[b] = a;
+        }
+    return partner;
+}
+
+/// Appends a line to another, from one of its ends on.
+void append(const std::vector<Line>& lines, std::size_t from, Points& out) {
+    Points more = lines[from / 2].points;
+    if (from % 2) std::ranges::reverse(more);
+    // Ends that are next to each other are one point.
+    out.insert(out.end(), more.begin() + (out.empty() ? 0 : 1), more.end());
+}
+
+}  // namespace
+
+std::vector<Line> without_doubles(std::vector<Line> lines, double near, double least) {
+    std::vector<std::size_t> order(lines.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::vector<double> lengths;
+    for (const Line& line : lines) lengths.push_back(length_of(line.points));
+    std::ranges::stable_sort(order, std::ranges::greater(), [&](std::size_t i) { return lengths[i]; });
+    Kept kept(near);
+    std::vector<Line> left;
+    for (const std::size_t i : order)
+        for (Line& part : left_of_line(lines[i], kept, least)) {
+            kept.add(part.points);
+            left.push_back(std::move(part));
+        }
+    std::ranges::stable_sort(left, {}, &Line::origin);
+    return left;
+}
+
+std::vector<Line> joined(std::vector<Line> lines, double near) {
+    const std::vector<std::size_t> partner = pairs_of(lines, near);
+    std::vector<bool> done(lines.size());
+    std::vector<Line> all;
+    const auto follow = [&](std::size_t from) {
+        Line line{{}, false, lines[from / 2].origin};
+        std::size_t end = from;
+        while (end != nobody && !done[end / 2]) {
+            done[end / 2] = true;
+            line.origin = std::min(line.origin, lines[end / 2].origin);
+            append(lines, end, line.points);
+            end = partner[end ^ 1];
+        }
+        line.closed = lines[from / 2].closed || end == from;
+        if (line.closed) line.points.back() = line.points.front();
+        all.push_back(std::move(line));
+    };
+    for (std::size_t e = 0; e < partner.size(); ++e)
+        if (partner[e] == nobody && !done[e / 2]) follow(e);
+    for (std::size_t e = 0; e < partner.size(); ++e)
+        if (!done[e / 2]) follow(e);
+    std::ranges::stable_sort(all, {}, &Line::origin);
+    return all;
+}
+
+}  // namespace fovea::vector

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fovea/vector/marks.h>
+
+#include <algorithm>
+
+#include <fovea/base/check.h>
+#include <fovea/color/srgb.h>
+
+namespace fovea::vector {
+namespace {
+
+constexpr double unseen = 1.0 / 255.0;  // opacity
+constexpr float half_shown = 0.5f;      // by elision
+constexpr double most_change = 0.125;   // of opacity and color, each in [0,1], along a mark
+
+/// A point of a stroke on the page.
+struct Inked {
+    dvec2 at;
+    double arc, width;
+    dvec4 ink;  // color as displayed, and opacity
+};
+
+Inked between(const Inked& a, const Inked& b, double t) {
+    return {glm::mix(a.at, b.at, t), glm::mix(a.arc, b.arc, t), glm::mix(a.width, b.width, t),
+            glm::mix(a.ink, b.ink, t)};
+}
+
+/// Opacity with which a color over paper looks the same where displayed values are mixed, as by programs that show
+/// vectors, as where light is, as in pictures. Both scene-linear; by their means.
+double as_displayed(double opacity, const dvec3& color, const dvec3& paper) {
+    const auto mean = [](const dvec3& c) { return std::clamp(float(c.x + c.y + c.z) / 3.0f, 0.0f, 1.0f); };
+    const float ink = mean(color), below = mean(paper);
+    const float whole = color::to_srgb(below) - color::to_srgb(ink);
+    if (std::abs(whole) < 0.01f) return opacity;
+    const float mixed = glm::mix(below, ink, float(std::clamp(opacity, 0.0, 1.0)));
+    return (color::to_srgb(below) - color::to_srgb(mixed)) / whole;
+}
+
+dvec4 ink_of(const CenterPoint& p, const Pen& pen, const Pen& away, double density, const dvec3& paper) {
+    const style::Pen &near = pen.look, &far = away.look;
+    const double mix = p.mix.x;
+    const dvec3 second = glm::mix(near.second_color, far.second_color, mix);
+    const dvec3 color = glm::mix(glm::mix(near.color, far.color, mix), second, double(p.tint));
+    dvec4 ink(0.0);
+    for (int c = 0; c < 3; ++c) ink[c] = color::to_srgb(std::clamp(float(color[c]), 0.0f, 1.0f));
+    ink.w = as_displayed(density * p.opacity / std::max(p.thinness, 1e-6f), color, paper);
+    return ink;
+}
+
+double range(const dvec4& low, const dvec4& high) {
+    const dvec4 d = high - low;
+    return std::max({d.x, d.y, d.z, d.w});
+}
+
+/// The points of a stroke, with more where its ink changes much from one to the next or begins to be seen.
+std::vector<Inked> stepped(const std::vector<Inked>& points) {
+    std::vector<Inked> all{points.front()};
+    for (std::size_t i = 1; i < points.size(); ++i) {
+        const Inked &a = points[i - 1], &b = points[i];
+        const double change = range(glm::min(a.ink, b.ink), glm::max(a.ink, b.ink));
+        const int steps = std::max(1, int(std::ceil(2.0 * change / most_change)));
+        for (int k = 1; k < steps; ++k) all.push_back(between(a, b, double(k) / steps));
+        all.push_back(b);
+    }
+    return all;
+}
+
+class Splitter {
+   public:
+    Splitter(const std::vector<Inked>& points, Index run, bool closed, Cutting cutting, std::vector<Mark>& out)
+        : points_(points), run_(run), closed_(closed), whole_(cutting != Cutting::by_ink), out_(out) {}
+
+    void split() {
+        const std::size_t last = points_.size() - 1;
+        for (std::size_t from = 0; from < last;) {
+            const bool drawn = seen(from);
+            dvec4 low = points_[from].ink, high = low;
+            std::size_t to = from;
+            while (to < last && seen(to) == drawn) {
+                const dvec4 next = points_[to + 1].ink;
+                low = glm::min(low, next);
+                high = glm::max(high, next);
+                if (drawn && !whole_ && to > from && range(low, high) > most_change) break;
+                ++to;
+            }
+            if (drawn) add(from, to);
+            from = to;
+        }
+    }
+
+   private:
+    /// Whether the segment from a point is.
+    bool seen(std::size_t i) const { return std::max(points_[i].ink.w, points_[i + 1].ink.w) > unseen; }
+
+    void add(std::size_t from, std::size_t to) {
+        const bool starts = from == 0, ends = to + 1 == points_.size();
+        Mark mark{.run = run_,
+                  .arc = points_[from].arc,
+                  .closed = closed_ && starts && ends,
+                  .starts = starts && !closed_,
+                  .ends = ends && !closed_};
+        dvec4 sum(0.0);
+        double length = 0.0;
+        for (std::size_t i = from; i <= to; ++i) {
+            mark.points.push_back(points_[i].at);
+            mark.widths.push_back(points_[i].width);
+            if (i == to) break;
+            const double step = glm::distance(points_[i].at, points_[i + 1].at);
+            sum += 0.5 * step * (points_[i].ink + points_[i + 1].ink);
+            length += step;
+        }
+        if (!(length > 0.0)) return;
+        mark.color = dvec3(sum) / length;
+        mark.opacity = std::min(sum.w / length, 1.0);
+        out_.push_back(std::move(mark));
+    }
+
+    const std::vector<Inked>& points_;
+    Index run_;
+    bool closed_, whole_;
+    std::vector<Mark>& out_;
+};
+
+/// Coordinates of a run's polyline.
+std::size_t numbers_of(const ClippedPaths& clipped, const Runs& runs, std::size_t r) {
+    const Index piece = runs.piece[r];
+    const auto first = clipped.arc_px.begin() + clipped.pieces.begin(piece);
+    const auto last = clipped.arc_px.begin() + clipped.pieces.end(piece);
+    const auto inside = std::lower_bound(first, last, runs.end_px[r]) - std::upper_bound(first, last, runs.start_px[r]);
+    return 2 * (std::size_t(std::max<std::ptrdiff_t>(inside, 0)) + 2);
+}
+
+}  // namespace
+
+Marks marks_of(const Frame& frame, const Page& page, double tolerance, Cutting cutting) {
+    Inking inking = frame.inking(frame.shown);
+    // What is left out of lines is small beside what curves may be off.
+    inking.tolerance_px = std::min(inking.tolerance_px, 0.1 * tolerance / page.scale);
+    check_inking(inking);
+    const LineShaper shaper(inking);
+    const dvec3 paper = frame.job.style.paper.color;
+    Marks found;
+    for (const Pen& pen : frame.pens.pens)
+        found.grains.push_back(grain_of(pen.texture == none ? nullptr : &frame.pens.textures[pen.texture]));
+    const auto parts = parallel_parts<Marks>(inking.runs.size(), 128, [&](Marks& out, std::size_t r, std::size_t end) {
+        DrawnLine line;
+        for (; r < end; ++r) {
+            const Index number = inking.pen_of_run[r];
+            if (number == none || !shaper.shape(Index(r), line)) continue;
+            const Pen& pen = inking.pens[number];
+            const Grain& grain = found.grains[number];
+            std::vector<Inked> points;
+            for (const CenterPoint& p : line.points) {
+                points.push_back(
+                    {page.place(p.px), page.scale * p.arc, page.scale * 2.0 * p.half_width * p.thinness * grain.width,
+                     ink_of(p, pen, pen.away == none ? pen : inking.pens[pen.away], grain.opacity, paper)});
+                double& opacity = points.back().ink.w;
+                if (cutting == Cutting::elision) opacity = opacity > unseen && p.shown >= half_shown ? 1.0 : 0.0;
+            }
+            const std::size_t before = out.marks.size();
+            Splitter(stepped(points), Index(r), line.closed, cutting, out.marks).split();
+            if (out.marks.size() > before) out.numbers += numbers_of(inking.clipped, inking.runs, r);
+        }
+    });
+    for (const Marks& part : parts) {
+        found.marks.insert(found.marks.end(), part.marks.begin(), part.marks.end());
+        found.numbers += part.numbers;
+    }
+    return found;
+}
+
+double mean_width(const Mark& mark) {
+    double sum = 0.0, length = 0.0;
+    for (std::size_t i = 1; i < mark.points.size(); ++i) {
+        const double step = glm::distance(mark.points[i - 1], mark.points[i]);
+        sum += 0.5 * step * (mark.widths[i - 1] + mark.widths[i]);
+        length += step;
+    }
+    return length > 0.0 ? sum / length : 0.0;
+}
+
+}  // namespace fovea::vector

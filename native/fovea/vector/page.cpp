@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fovea/vector/page.h>
+
+#include <algorithm>
+#include <sstream>
+
+#include <fovea/base/check.h>
+
+namespace fovea::vector {
+namespace {
+
+/// Sizes of sheets of paper [mm], from Sheet::a0 on.
+constexpr dvec2 sheets[] = {{841.0, 1189.0}, {594.0, 841.0}, {420.0, 594.0}, {297.0, 420.0},
+                            {210.0, 297.0},  {148.0, 210.0}, {215.9, 279.4}};
+
+}  // namespace
+
+Page page_of(const View& view, const style::Paper& paper, const Options& options) {
+    const dvec2 picture(view.width, view.height);
+    const double px_mm = 1.0 / paper.px_per_mm(view.reference_scale);
+    if (options.sheet == Sheet::pixels) return {picture, dvec2(0.0), 1.0, px_mm};
+    if (options.sheet == Sheet::page) return {px_mm * picture, dvec2(0.0), px_mm, 1.0};
+    dvec2 size = sheets[int(options.sheet) - int(Sheet::a0)];
+    if (view.width > view.height) std::swap(size.x, size.y);
+    const dvec2 room = size - 2.0 * options.margin;
+    std::ostringstream refusal;
+    refusal << "vectors: a margin of " << options.margin << " mm leaves no room on this paper: make it smaller";
+    check(std::min(room.x, room.y) > 0.0, refusal.str());
+    const double scale = std::min(room.x / picture.x, room.y / picture.y);
+    return {size, 0.5 * (size - scale * picture), scale, 1.0};
+}
+
+}  // namespace fovea::vector

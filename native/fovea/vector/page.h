@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where a picture lies on paper.
+#pragma once
+
+#include <fovea/base/view.h>
+#include <fovea/style/ground.h>
+#include <fovea/vector/options.h>
+
+namespace fovea::vector {
+
+struct Page {
+    dvec2 size;      ///< in units of the document
+    dvec2 lower;     ///< of the picture
+    double scale;    ///< units per pixel of the picture
+    double unit_mm;  ///< of a unit, on paper as high as the style says where units are pixels
+
+    dvec2 place(const dvec2& px) const { return lower + scale * px; }
+};
+
+/// The picture as large as the margins of a sheet leave room for, in its middle; a sheet lies as the picture does, on
+/// its long side or its short one. Throws std::invalid_argument if the margins leave none.
+Page page_of(const View& view, const style::Paper& paper, const Options& options);
+
+}  // namespace fovea::vector

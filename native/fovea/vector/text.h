@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Numbers and names as text in files: the same on every machine and in every locale.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace fovea::vector {
+
+inline constexpr int decimals = 3;  ///< of lengths: micrometers, or thousandths of a pixel
+inline constexpr double grid = 1000.0;
+
+/// A length as a whole number of thousandths.
+std::int64_t thousandths(double value);
+/// Thousandths as a decimal number, without zeros at its end.
+std::string decimal(std::int64_t thousandths);
+/// The number, rounded to thousandths.
+std::string number(double value);
+
+/// 16 digits.
+std::string hexadecimal(std::uint64_t value);
+/// "#rrggbb" of a color as displayed, each in [0,1].
+std::string hex_color(double red, double green, double blue);
+
+/// Text of XML and of its attributes: its own characters are written as entities; control characters, and bytes that
+/// are not UTF-8, as question marks.
+std::string xml(std::string_view text);
+
+/// Base64 (RFC 4648), on one line.
+std::string base64(std::string_view bytes);
+
+}  // namespace fovea::vector

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fovea/vector/tracing.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <fovea/line/registry.h>
+#include <fovea/vector/fit.h>
+#include <fovea/vector/outline.h>
+
+namespace fovea::vector {
+namespace {
+
+constexpr double outline_share = 0.5;  // of the tolerance: a stroke has two sides
+constexpr double mitre_limit = -0.17;  // cosine of the sharpest mitred bend: 100 degrees (stroke/strip.h)
+
+bool is_sharp(const Points& points) {
+    for (std::size_t i = 1; i + 1 < points.size(); ++i) {
+        const dvec2 a = points[i] - points[i - 1], b = points[i + 1] - points[i];
+        if (glm::dot(a, b) < mitre_limit * glm::length(a) * glm::length(b)) return true;
+    }
+    return false;
+}
+
+/// Whether the width is next to the same all along.
+bool is_even(const Mark& mark, double tolerance) {
+    const auto [low, high] = std::ranges::minmax(mark.widths);
+    return high - low <= tolerance;
+}
+
+/// The part of a mark between two lengths along it.
+Mark part_of(const Mark& mark, double from, double to) {
+    Mark part = mark;
+    part.points.clear();
+    part.widths.clear();
+    part.closed = false;
+    const auto add = [&](std::size_t i, double t) {
+        part.points.push_back(glm::mix(mark.points[i - 1], mark.points[i], t));
+        part.widths.push_back(glm::mix(mark.widths[i - 1], mark.widths[i], t));
+    };
+    double along = 0.0;
+    for (std::size_t i = 1; i < mark.points.size(); ++i) {
+        const double step = glm::distance(mark.points[i - 1], mark.points[i]), end = along + step;
+        if (step > 0.0 && end > from && along < to) {
+            if (part.points.empty()) add(i, std::clamp((from - along) / step, 0.0, 1.0));
+            add(i, std::clamp((to - along) / step, 0.0, 1.0));
+        }
+        along = end;
+    }
+    return part;
+}
+
+}  // namespace
+
+Tracing::Tracing(const Frame& frame, const Options& options, const Page& page, const std::vector<Grain>& grains)
+    : frame_(frame),
+      inking_(frame.inking(frame.shown)),
+      options_(options),
+      grains_(grains),
+      tolerance_(options.tolerance / page.unit_mm),
+      scale_(page.scale) {}
+
+Path Tracing::path_of(const Mark& mark) const {
+    const bool round = pen_of(mark).look.cap == Cap::round, dashed = !grain_of(mark).dashes.empty();
+    const bool as_pen_ends = mark.closed || (mark.starts && mark.ends), centered = options_.widths == Widths::center;
+    const bool even = is_even(mark, outline_share * tolerance_) && (!round || as_pen_ends);
+    Path path = owner_of(mark);
+    if (centered || dashed || even) {
+        path.look = this->dashed(mark);
+        if (!dashed) path.look.round_caps = round && (as_pen_ends || centered);
+        path.look.round_joins = is_sharp(mark.points);
+        path.curves = {fit(mark.points, mark.closed, tolerance_)};
+    } else {
+        path.curves = outline(mark.points, mark.widths, mark.closed, {round && mark.starts, round && mark.ends},
+                              outline_share * tolerance_);
+    }
+    path.look.color = mark.color;
+    path.look.opacity = mark.opacity;
+    std::erase_if(path.curves, [](const Curve& curve) { return curve.empty(); });
+    return path;
+}
+
+Path Tracing::owner_of(const Mark& mark) const {
+    const Index piece = inking_.runs.piece[mark.run], path_number = inking_.clipped.path[piece];
+    const Paths& paths = *frame_.paths;
+    Path path;
+    path.invisibility = inking_.runs.invisibility[mark.run];
+    const Index segment = inking_.clipped.segment_at(piece, inking_.runs.start_px[mark.run]);
+    const Kinds kinds = paths.kinds[inking_.clipped.source[segment]];
+    const auto& definitions = line_definitions();
+    for (std::size_t bit = 0; bit < definitions.size() && path.kind.empty(); ++bit)
+        if (kinds >> bit & 1u) path.kind = definitions[bit]->name;
+    const Overrides& overrides = frame_.job.overrides;
+    const Index placement = paths.placement[path_number];
+    if (placement < overrides.objects_of_placement.size()) {
+        const auto& names = overrides.objects[overrides.objects_of_placement[placement]];
+        if (!names.empty()) path.object = names.front();
+    }
+    return path;
+}
+
+/// The width of a mark's line, and its dashes.
+Look Tracing::dashed(const Mark& mark) const {
+    const Grain& grain = grain_of(mark);
+    Look look{.width = mean_width(mark)};
+    look.round_caps = grain.round;
+    if (grain.dashes.empty() || mark.is_dash) return look;
+    // Half discs at both ends of dashes are as long as the pen is wide.
+    const double repetition = scale_ * pen_of(mark).texture_length_px, cut = grain.round ? look.width : 0.0;
+    for (std::size_t k = 0; k < grain.dashes.size(); ++k)
+        look.dashes.push_back(std::max(repetition * grain.dashes[k] + (k % 2 ? cut : -cut), 0.0));
+    const double into = mark.arc - repetition * grain.first - 0.5 * cut;
+    look.dash_start = into - repetition * std::floor(into / repetition);
+    return look;
+}
+
+std::vector<Mark> Tracing::dashes_of(const Mark& mark) const {
+    const Look look = dashed(mark);
+    double pattern = 0.0;
+    for (const double length : look.dashes) pattern += length;
+    if (!(pattern > 0.0)) return {mark};
+    const double length = length_of(mark.points);
+    std::vector<Mark> dashes;
+    for (double at = -look.dash_start; at < length;)
+        for (std::size_t k = 0; k < look.dashes.size(); at += look.dashes[k++]) {
+            if (k % 2 || at >= length || at + look.dashes[k] <= 0.0) continue;
+            // A dot is a dash that is next to nothing long.
+            const double end = std::max(at + look.dashes[k], at + 0.01 * look.width);
+            Mark dash = part_of(mark, std::max(at, 0.0), std::min(end, length));
+            dash.is_dash = true;
+            if (dash.points.size() > 1) dashes.push_back(std::move(dash));
+        }
+    return dashes;
+}
+
+}  // namespace fovea::vector

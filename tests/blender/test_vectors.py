@@ -1,0 +1,106 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Drawings as vectors, written from Blender: read back by other parsers, and beside the picture of the same scene."""
+
+import re
+import sys
+import xml.etree.ElementTree as ElementTree
+import zlib
+from pathlib import Path
+
+import bpy
+import numpy as np
+import pytest
+from pictures import box_scene
+from the_addon import part, use_style
+
+sys.path.insert(0, str(Path(__file__).parents[2] / "blender_scripts"))
+
+import draw
+
+vectors = part("render.vectors")
+
+SVG, INKSCAPE = "{http://www.w3.org/2000/svg}", "{http://www.inkscape.org/namespaces/inkscape}"
+
+
+@pytest.fixture
+def scene():
+    scene = box_scene()
+    style = use_style(scene, "plain")
+    style.elision.enabled = False
+    return scene
+
+
+def exported(path, **words):
+    assert bpy.ops.fovea.export_vectors(filepath=str(path), kind=path.suffix[1:], **words) == {"FINISHED"}
+    return path.read_bytes()
+
+
+def points(path):
+    """Ends of the segments of an SVG path's data, which is of relative lines and cubics."""
+    at, start, found = np.zeros(2), np.zeros(2), []
+    for letter, numbers in re.findall(r"([a-zA-Z])([^a-zA-Z]*)", path.get("d")):
+        values = np.array([float(n) for n in re.findall(r"-?(?:\d+\.?\d*|\.\d+)", numbers)]).reshape(-1, 2)
+        if letter == "z":
+            at = start
+        for value in values[2::3] if letter == "c" else values:
+            at = value if letter == "M" else at + value
+            start = at if letter in "Mm" else start
+            found.append(at)
+    return np.array(found)
+
+
+def test_a_box_is_its_edges_in_layers_on_paper(scene, tmp_path):
+    root = ElementTree.fromstring(exported(tmp_path / "box.svg", sheet="a4"))
+    assert (root.get("width"), root.get("height"), root.get("viewBox")) == ("297mm", "210mm", "0 0 297 210")
+    layers = [g.get(f"{INKSCAPE}label") for g in root.iter(f"{SVG}g")]
+    assert layers[0] == "%paper" and layers[-1] == "visible" and {"2 lines"} <= set(layers)
+    paths = list(root.iter(f"{SVG}path"))
+    assert {path.get("data-object") for path in paths} == {"Box"}
+    assert len({path.get("id") for path in paths}) == len(paths) > 3
+    for path in paths:
+        at = points(path)
+        assert np.all(at >= 9.9) and np.all(at <= [287.1, 200.1])
+
+
+def test_files_are_the_same_twice_and_the_operator_writes_what_draw_does(scene, tmp_path):
+    for kind in ("svg", "pdf", "dxf"):
+        first = exported(tmp_path / f"a.{kind}")
+        assert first == exported(tmp_path / f"b.{kind}") and len(first) > 500
+    blend = tmp_path / "box.blend"
+    bpy.ops.wm.save_as_mainfile(filepath=str(blend))
+    draw.main([str(blend), "-o", str(tmp_path / "c.svg")])
+    assert (tmp_path / "c.svg").read_bytes() == (tmp_path / "a.svg").read_bytes()
+
+
+def test_a_pdf_has_a_page_of_compressed_paths_and_a_layer_for_each_set(scene, tmp_path):
+    pdf = exported(tmp_path / "box.pdf", sheet="a5")
+    assert pdf.startswith(b"%PDF-1.5") and pdf.endswith(b"%%EOF\n")
+    assert re.search(rb"/MediaBox \[ 0 0 595\.\d+ 419\.\d+ \]", pdf)
+    start = int(re.search(rb"startxref\n(\d+)", pdf)[1])
+    places = [int(place) for place in re.findall(rb"(\d{10}) 00000 n", pdf[start:])]
+    assert [pdf[place:].split(b" ", 1)[0] for place in places] == [b"%d" % (i + 1) for i in range(len(places))]
+    stream = re.search(rb"4 0 obj\n<< /Filter /FlateDecode /Length (\d+) >>\nstream\n", pdf)
+    content = zlib.decompress(pdf[stream.end() : stream.end() + int(stream[1])]).decode()
+    assert content.count("BDC") == content.count("EMC") == pdf.count(b"/Type /OCG")
+    assert len(re.findall(r"^[^\n]* m [^\n]*\n[Sf]$", content, re.M)) > 3
+
+
+def test_for_a_plotter_the_pen_moves_little_between_lines(scene, tmp_path):
+    drawn = vectors.drawing(bpy.context, "svg", vectors.options(plotter=True, sheet="a4"))
+    figures = drawn.figures
+    assert figures["lifts"] == figures["paths"] > 0
+    assert figures["pen_up_mm"] <= 1.1 * figures["pen_up_nearest_mm"]
+    root = ElementTree.fromstring(drawn.file())
+    ends = [points(path) for path in root.iter(f"{SVG}path")]
+    assert len(ends) == figures["paths"]
+    assert not list(root.iter(f"{SVG}rect"))
+
+
+def test_nothing_is_left_where_a_file_cannot_be_written(scene, tmp_path):
+    with pytest.raises(RuntimeError, match="could not be written"):
+        exported(tmp_path / "none" / "box.svg")
+    with pytest.raises(RuntimeError, match="leaves no room"):
+        exported(tmp_path / "box.svg", sheet="a5", margin=80.0)
+    scene.camera = None
+    assert not bpy.ops.fovea.export_vectors.poll()
+    assert not list(tmp_path.iterdir())

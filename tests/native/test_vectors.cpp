@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Frames as documents, and their files.
+#include <gtest/gtest.h>
+#include <regex>
+#include <set>
+#include <tool/drawing.h>
+#include <tool/read_obj.h>
+
+#include <fovea/vector/file.h>
+#include <fovea/vector/svg.h>
+#include <fovea/vector/text.h>
+
+#include "model_files.h"
+#include "refused.h"
+
+using namespace fovea;
+using namespace fovea::draw;
+using namespace fovea::model_files;
+
+namespace {
+
+constexpr int side = 540;  // half of the pixels that a page of 210 mm has in reference pixels
+
+style::Style with_hidden() {
+    style::Style style = tool::style_of({"contour", "crease"});
+    style.line_sets[0].name = "edges & <corners>";
+    style.line_sets[0].hidden.push_back({});
+    style.line_sets[0].hidden[0].pen.texture = "dashes";
+    return style;
+}
+
+Frame cube(const style::Style& style, int width = side, int height = side) {
+    return tool::frame_of(tool::read_obj("cube.obj", cube_obj()), {.width = width, .height = height}, style,
+                          FOVEA_ADDON);
+}
+
+vector::Drawing drawn(const style::Style& style, const vector::Options& options = {}) {
+    Frame frame = cube(style);
+    return vector::compose(frame, options);
+}
+
+std::vector<vector::Path> paths_of(const vector::Drawing& drawing) {
+    std::vector<vector::Path> paths;
+    vector::for_each_path(drawing.document.layers, [&](const vector::Path& path) { paths.push_back(path); });
+    return paths;
+}
+
+}  // namespace
+
+TEST(Vectors, OfACubeAreItsEdgesInLayersForWhatIsVisibleAndHidden) {
+    const vector::Drawing cube = drawn(with_hidden());
+    ASSERT_EQ(cube.document.layers.size(), 1u);
+    const vector::Layer& set = cube.document.layers[0];
+    EXPECT_EQ(set.line_set, "edges & <corners>");
+    ASSERT_EQ(set.layers.size(), 2u);
+    EXPECT_EQ(set.layers[0].label, "hidden");
+    EXPECT_EQ(set.layers[1].label, "visible");
+    double visible = 0.0;
+    for (const vector::Path& path : set.layers[1].paths) {
+        EXPECT_EQ(path.invisibility, 0);
+        EXPECT_NEAR(path.look.width, 2.0 * 210.0 / 1080.0, 1e-3);
+        EXPECT_TRUE(path.look.dashes.empty());
+        for (const std::uint8_t cubic : path.curves.at(0).cubic) EXPECT_EQ(cubic, 0);
+        visible += vector::length_of(path.curves[0].points);
+    }
+    Frame frame = ::cube(with_hidden());
+    frame.ink();
+    double expected = 0.0;
+    for (std::size_t r = 0; r < frame.drawn->size(); ++r)
+        if (frame.drawn->invisibility[r] == 0) expected += frame.drawn->end_px[r] - frame.drawn->start_px[r];
+    EXPECT_NEAR(visible, expected * 210.0 / side, 0.01 * visible);
+    EXPECT_NEAR(cube.document.size.x, 210.0, 1e-9);
+    EXPECT_NEAR(cube.document.size.y, 210.0, 1e-9);
+    for (const vector::Path& path : set.layers[0].paths) {
+        EXPECT_GT(path.invisibility, 0);
+        EXPECT_EQ(path.look.dashes.size(), 2u);
+    }
+    EXPECT_EQ(cube.figures.paths, paths_of(cube).size());
+    EXPECT_LE(cube.figures.numbers, cube.figures.polyline_numbers);
+}
+
+TEST(Vectors, HaveUniqueNamesAndEqualBytesTwice) {
+    const std::string svg = vector::svg_bytes(drawn(with_hidden()).document);
+    EXPECT_EQ(svg, vector::svg_bytes(drawn(with_hidden()).document));
+    std::set<std::string> ids;
+    const std::regex id(R"re( id="([^"]*)")re");
+    for (std::sregex_iterator found(svg.begin(), svg.end(), id), end; found != end; ++found)
+        EXPECT_TRUE(ids.insert((*found)[1]).second) << (*found)[1];
+    EXPECT_GT(ids.size(), 10u);
+    EXPECT_NE(svg.find("edges &amp; &lt;corners&gt;"), std::string::npos);
+    EXPECT_NE(svg.find("width=\"210mm\" height=\"210mm\" viewBox=\"0 0 210 210\""), std::string::npos);
+    EXPECT_EQ(svg.find("nan"), std::string::npos);
+}
+
+TEST(Vectors, LieOnPaperAsThePictureDoes) {
+    const auto size = [](vector::Sheet sheet, int width, int height) {
+        Frame frame = cube(tool::style_of({"contour"}), width, height);
+        return vector::compose(frame, {.sheet = sheet}).document.size;
+    };
+    EXPECT_EQ(size(vector::Sheet::a4, 320, 200), dvec2(297.0, 210.0));
+    EXPECT_EQ(size(vector::Sheet::a4, 200, 320), dvec2(210.0, 297.0));
+    EXPECT_EQ(size(vector::Sheet::letter, 320, 200), dvec2(279.4, 215.9));
+    EXPECT_EQ(size(vector::Sheet::pixels, 320, 200), dvec2(320.0, 200.0));
+    EXPECT_NEAR(size(vector::Sheet::page, 320, 200).x, 336.0, 1e-9);
+    EXPECT_NE(refused([&] { drawn({}, {.sheet = vector::Sheet::a5, .margin = 80.0}); }).find("leaves no room"),
+              std::string::npos);
+    EXPECT_NE(refused([&] { drawn({}, {.margin = -1.0}); }).find("margin is -1, outside 0 to 1000 mm"),
+              std::string::npos);
+}
+
+TEST(Vectors, OfStrokesThatTaperAreOutlinesOrLines) {
+    style::Style style = tool::style_of({"contour", "crease"});
+    style.line_sets[0].pen.pressure = 0.8;
+    for (const vector::Path& path : paths_of(drawn(style))) EXPECT_EQ(path.look.width, 0.0);
+    for (const vector::Path& path : paths_of(drawn(style, {.widths = vector::Widths::center})))
+        EXPECT_GT(path.look.width, 0.1);
+}
+
+TEST(Vectors, OfAPenThinnerThanAPixelHaveItsWidth) {
+    style::Style style = tool::style_of({"contour", "crease"});
+    style.line_sets[0].pen.width = 0.5;
+    for (const vector::Path& path : paths_of(drawn(style))) {
+        EXPECT_NEAR(path.look.width, 0.5 * 210.0 / 1080.0, 1e-3);
+        EXPECT_EQ(path.look.opacity, 1.0);
+    }
+}
+
+TEST(Vectors, ForAPlotterAreJoinedInALayerForEachPenAndDashesApart) {
+    const vector::Drawing plot = drawn(with_hidden(), {.plotter = true});
+    ASSERT_EQ(plot.document.layers.size(), 2u);
+    EXPECT_EQ(plot.document.layers[0].label, "1 edges & <corners> hidden");
+    EXPECT_EQ(plot.document.layers[1].label, "2 edges & <corners>");
+    EXPECT_LE(plot.document.layers[1].paths.size(), 3u);  // three faces
+    EXPECT_GT(plot.document.layers[0].paths.size(), 10u);
+    ASSERT_TRUE(plot.way);
+    double down = 0.0;
+    for (const vector::Path& path : paths_of(plot)) {
+        EXPECT_TRUE(path.look.dashes.empty());
+        down += vector::length_of(path.curves.at(0).points);
+    }
+    EXPECT_NEAR(plot.way->pen_down_mm, down, 1e-6);
+    EXPECT_EQ(plot.way->lifts, plot.figures.paths);
+    EXPECT_LE(plot.way->pen_up_mm, 1.1 * plot.way->pen_up_nearest_mm);
+    EXPECT_FALSE(plot.document.paper);
+}
+
+TEST(Vectors, OfLinesThatElisionLeavesOutAreNone) {
+    style::Style style = tool::style_of({"contour", "crease"});
+    style.line_sets[0].pen.opacity = 0.0;
+    const vector::Drawing nothing = drawn(style);
+    EXPECT_EQ(nothing.figures.paths, 0u);
+    EXPECT_TRUE(nothing.document.layers.empty());
+    EXPECT_NE(vector::svg_bytes(nothing.document).find("</svg>"), std::string::npos);
+}
+
+TEST(Vectors, OfEveryKindHaveAllPathsAndEqualBytesTwice) {
+    const auto count = [](const std::string& text, const std::string& word) {
+        std::size_t found = 0;
+        for (std::size_t at = text.find(word); at != text.npos; at = text.find(word, at + 1)) ++found;
+        return found;
+    };
+    const auto of = [](vector::Kind kind) { return drawn(with_hidden(), vector::fitting(kind, {})); };
+    const vector::Drawing lines = of(vector::Kind::dxf);
+    const std::string dxf = vector::bytes_of(lines.document, vector::Kind::dxf);
+    EXPECT_EQ(count(dxf, "\nLWPOLYLINE\n") + count(dxf, "\nSPLINE\n"), lines.figures.paths);
+    EXPECT_EQ(count(dxf, "\nEDGES____CORNERS__VISIBLE\n"), count(dxf, "VISIBLE"));
+    EXPECT_EQ(dxf, vector::bytes_of(of(vector::Kind::dxf).document, vector::Kind::dxf));
+    const std::string pdf = vector::bytes_of(of(vector::Kind::pdf).document, vector::Kind::pdf);
+    EXPECT_EQ(pdf, vector::bytes_of(of(vector::Kind::pdf).document, vector::Kind::pdf));
+    EXPECT_EQ(count(pdf, "/Type /OCG"), 3u);
+    EXPECT_EQ(pdf.rfind("%PDF-1.5\n", 0), 0u);
+    EXPECT_EQ(vector::kind_of("svg"), vector::Kind::svg);
+    EXPECT_EQ(vector::kind_of("png"), std::nullopt);
+}
+
+TEST(VectorText, OfNumbersIsShortAndHasNoMinusZero) {
+    using namespace fovea::vector;
+    EXPECT_EQ(number(0.0), "0");
+    EXPECT_EQ(number(-0.0001), "0");
+    EXPECT_EQ(number(-0.25), "-.25");
+    EXPECT_EQ(number(12.3456), "12.346");
+    EXPECT_EQ(number(100.0), "100");
+    EXPECT_EQ(hexadecimal(0xfeed), "000000000000feed");
+    EXPECT_EQ(hex_color(1.0, 0.5, 0.0), "#ff8000");
+    EXPECT_EQ(xml("a<b> & \"c\" \x01 \xff \xc3\xa4"), "a&lt;b&gt; &amp; &quot;c&quot; ? ? \xc3\xa4");
+    EXPECT_EQ(base64("any carnal pleas"), "YW55IGNhcm5hbCBwbGVhcw==");
+    EXPECT_EQ(base64("any carnal pleasu"), "YW55IGNhcm5hbCBwbGVhc3U=");
+    EXPECT_EQ(base64("any carnal pleasur"), "YW55IGNhcm5hbCBwbGVhc3Vy");
+}
