@@ -1328,6 +1328,14 @@ class Frame:
     def stages(self) -> dict[str, float]:
         """{stage: milliseconds}, in the order in which they ran"""
 
+class Ahead:
+    """Computes what frames of a style will need of surfaces, on other threads, while others are read. As a context: at
+    its end what was not begun is left, and the rest is waited for."""
+    def __init__(self, style: style.Style, cancel: Cancel) -> None:
+        """cancel: a Cancel, or None"""
+    def add(self, surface: Surface) -> None:
+        """A surface that is not changed before the end."""
+
 class Backend:
     """Who decides what a depth buffer hides, what crowds, and who puts strokes on paper."""
     def __init__(self) -> None: ...
