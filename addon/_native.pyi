@@ -1330,7 +1330,7 @@ class Frame:
 
 class Ahead:
     """Computes what frames of a style will need of surfaces, on other threads, while others are read. As a context: at
-    its end what was not begun is left, and the rest is waited for."""
+    its end what is not done is left."""
     def __init__(self, style: style.Style, cancel: Cancel) -> None:
         """cancel: a Cancel, or None"""
     def add(self, surface: Surface) -> None:

@@ -127,7 +127,7 @@ void bind_backend(py::module_& m) {
 void bind_ahead(py::module_& m) {
     py::class_<Ahead>(m, "Ahead",
                       "Computes what frames of a style will need of surfaces, on other threads, while others are read. "
-                      "As a context: at its end what was not begun is left, and the rest is waited for.")
+                      "As a context: at its end what is not done is left.")
         .def(py::init<const style::Style&, std::shared_ptr<Cancel>>(), py::arg("style"), py::arg("cancel"),
              "cancel: a Cancel, or None")
         .def(

@@ -20,17 +20,19 @@ constexpr std::size_t most_triangles = 1 << 14;
 }  // namespace
 
 Ahead::Ahead(const style::Style& style, std::shared_ptr<const Cancel> cancel)
-    : sets_(line_sets_of(style, {})), cancel_(cancel ? std::move(cancel) : std::make_shared<Cancel>()) {}
+    : sets_(line_sets_of(style, {})) {
+    ending_.caller = std::move(cancel);
+}
 
 void Ahead::add(std::shared_ptr<const Surface> surface) {
     if (std::min(thread_limit(), tbb::this_task_arena::max_concurrency()) < 2) return;
     if (surface->triangles.size() > most_triangles) return;
     const auto& call = *calls_.emplace_back(std::make_unique<const base::ForkJoin>());
     arena_.enqueue(group_.defer([this, surface = std::move(surface), &call]() FOVEA_TBB_HANDS_OVER {
-        if (finishing_) return;
         const base::ForkJoin::Body here(call);
-        const Cancelling scope(cancel_.get());
+        const Cancelling scope(&ending_);
         try {
+            ending_.poll();
             compute(*surface);
         } catch (const std::exception&) {
             // Whoever needs it computes it again, and tells why it cannot.
@@ -45,11 +47,11 @@ void Ahead::compute(const Surface& surface) const {
     for (const LineSet& set : sets_)
         for (const LineKind& kind : set.kinds)
             if (const auto* rule = std::get_if<SceneRule>(&line_definitions()[kind.definition]->rule))
-                rule->find_ahead(surface, kind.values, *cancel_);
+                rule->find_ahead(surface, kind.values, ending_);
 }
 
 void Ahead::finish() {
-    finishing_ = true;
+    ending_.requested = true;
     arena_.execute([&] { group_.wait(); });
     calls_.clear();
 }

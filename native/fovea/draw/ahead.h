@@ -2,7 +2,6 @@
 // What pictures will need of surfaces, computed while others are still read.
 #pragma once
 
-#include <atomic>
 #include <memory>
 #include <tbb/task_arena.h>
 #include <tbb/task_group.h>
@@ -27,15 +26,19 @@ class Ahead {
     /// A surface of which the rest is set: its field options and its shape. Larger ones are left to the frames: there
     /// all threads take their part in each. Does nothing where only one thread may work.
     void add(std::shared_ptr<const Surface> surface);
-    /// Leaves what was not begun, and returns when the rest is done, of which this thread takes its part.
+    /// Leaves what is not done, and returns when no thread works on it.
     void finish();
 
    private:
+    /// Asks for an end where the caller does, and where finish() was called.
+    struct Ending : Cancel {
+        std::shared_ptr<const Cancel> caller;  // may be null
+        bool asked() const override { return Cancel::asked() || (caller && caller->asked()); }
+    };
     void compute(const Surface& surface) const;
 
     const std::vector<LineSet> sets_;
-    const std::shared_ptr<const Cancel> cancel_;
-    std::atomic<bool> finishing_{false};
+    Ending ending_;
     tbb::task_arena arena_;
     tbb::task_group group_;
     std::vector<std::unique_ptr<const base::ForkJoin>> calls_;  // one for each surface

@@ -180,6 +180,7 @@ std::shared_ptr<KeptPairs> kept_pairs(const Surface& surface) {
 /// Where a surface passes through itself. Not computed while its cache is locked: parallel loops in it query that, too.
 std::shared_ptr<const KeptCurves> find_within(const Surface& surface, std::uint64_t frame, const Cancel& cancel) {
     const auto store = kept_pairs(surface);
+    store->forget(frame);
     auto curves = store->find(0, frame);
     if (!curves) store->keep(0, frame, curves = kept_curves(cross_itself(surface, cancel)));
     return curves;

@@ -145,6 +145,7 @@ SurfaceBvh::SurfaceBvh(const Surface& surface) {
 }
 
 void SurfaceBvh::build(const Surface& surface) const {
+    hash_ = 0;  // of no triangles, until it is built
     patches_ = patches(surface);
     take(surface);
     scene_.reset(rtcNewScene(bvh_device()));
@@ -155,11 +156,12 @@ void SurfaceBvh::build(const Surface& surface) const {
     if (moves_) {
         rtcSetGeometryBuildQuality(geometry_, RTC_BUILD_QUALITY_REFIT);
         rtcCommitGeometry(geometry_);
-        hash_ = hash_of_triangles(surface);
-        neighbors_ = neighbors(surface);
-        spread_ = spread(surface, neighbors_);
     }
     build_bvh(scene_.get(), surface.name());
+    if (!moves_) return;
+    hash_ = hash_of_triangles(surface);
+    neighbors_ = neighbors(surface);
+    spread_ = spread(surface, neighbors_);
 }
 
 void SurfaceBvh::take(const Surface& surface) const {
