@@ -284,6 +284,8 @@ def render_frames(scene, options, camera=None):
 def write_vectors(options, path):
     asked = vectors.options(**draw_options.vector_options(options))
     drawn = vectors.drawing(bpy.context, path.suffix[1:], asked)
+    if drawn is None:
+        raise RuntimeError(f"{path}: stopped before the lines were drawn")
     vectors.write(drawn, path)
     if options.json:
         ending.tell({"file": str(path), **drawn.figures})

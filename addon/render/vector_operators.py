@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """File > Export > Fovea Drawing: the strokes of a final render as a file of vectors."""
 
-from functools import cache
 from pathlib import Path
 
 import bpy
@@ -17,9 +16,14 @@ from .line_operators import OfRender, progress
 CHOSEN = ("sheet", "margin", "tolerance", "widths", "ground", "plotter")  # of VectorOptions
 
 
-@cache  # Blender does not keep items of functions alive
+_kept = {}  # Blender does not keep items of functions alive
+
+
 def _items(of):
-    return list(vectors.choices(of))
+    """There are none as long as the native module is not there, which may change."""
+    if not _kept.get(of):
+        _kept[of] = list(vectors.choices(of))
+    return _kept[of]
 
 
 class FOVEA_OT_export_vectors(OfRender, bpy.types.Operator, ExportHelper):
@@ -42,10 +46,10 @@ class FOVEA_OT_export_vectors(OfRender, bpy.types.Operator, ExportHelper):
     )
     tolerance: FloatProperty(
         name="Tolerance",
-        description="How far curves may lie beside the lines that they stand for [mm]; 0: no curves",
+        description="How far curves may lie beside the lines that they stand for [mm]; below 0.002: no curves",
         default=0.02,
         min=0.0,
-        max=1000.0,
+        max=10.0,
         soft_max=1.0,
         precision=3,
     )
@@ -67,12 +71,18 @@ class FOVEA_OT_export_vectors(OfRender, bpy.types.Operator, ExportHelper):
 
     @property
     def filename_ext(self):
-        return f".{self.kind}"
+        return f".{self.chosen_kind()}"
+
+    def chosen_kind(self):
+        """The kind of file that is asked for, or else that the name of the file says."""
+        named = Path(self.filepath).suffix[1:].lower()
+        is_named = named in (name for name, *_ in _items("VECTORS"))
+        return named if is_named and not self.properties.is_property_set("kind") else self.kind
 
     def act(self, context):
         asked = vectors.options(**{name: getattr(self, name) for name in CHOSEN})
         with progress(context) as tell:
-            drawn = vectors.drawing(context, self.kind, asked, tell=tell)
+            drawn = vectors.drawing(context, self.chosen_kind(), asked, tell=tell)
         if drawn is None:
             raise CannotDraw("Stopped before the lines were drawn")
         vectors.write(drawn, Path(bpy.path.abspath(self.filepath)))

@@ -32,8 +32,10 @@ def write(drawn, path):
         fresh.write_bytes(content)
 
 
-def _drawing(found, seen, chosen, backend, options_of_frame, progress, cancel, near, *, kind, asked):
+def _drawing(found, *given, kind, asked):
+    """`given`: what `session.draw` is given after what is read."""
+    *shown, progress, cancel, near = given
     beside = {"colors": found.colors, "notes": found.notes, "near": near, "progress": progress, "cancel": cancel}
-    frame = pipeline.frame(found.placed, seen, chosen, backend, options_of_frame, **beside)
+    frame = pipeline.frame(found.placed, *shown, **beside)
     with native.refusals():
         return native.load().Drawing(frame, asked, kind)

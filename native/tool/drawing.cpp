@@ -72,7 +72,8 @@ void write_png(const Frame& frame, const std::filesystem::path& file) {
 }
 
 std::optional<vector::Kind> vectors_of(const std::filesystem::path& file) {
-    const std::string suffix = name_of(file.extension());
+    std::string suffix = name_of(file.extension());
+    for (char& c : suffix) c = char(std::tolower(static_cast<unsigned char>(c)));
     return suffix.empty() ? std::nullopt : vector::kind_of(suffix.substr(1));
 }
 

@@ -96,6 +96,34 @@ def test_for_a_plotter_the_pen_moves_little_between_lines(scene, tmp_path):
     assert not list(root.iter(f"{SVG}rect"))
 
 
+def test_the_name_of_the_file_says_its_kind_unless_another_is_asked_for(scene, tmp_path):
+    def written(name, **words):
+        bpy.ops.fovea.export_vectors(filepath=str(tmp_path / name), **words)
+        return (tmp_path / name).read_bytes()
+
+    assert written("a.pdf").startswith(b"%PDF")
+    assert written("a.DXF").lstrip().startswith(b"0\nSECTION")
+    assert written("a").startswith(b"<?xml") and written("b.pdf", kind="svg").startswith(b"<?xml")
+
+
+def test_a_drawing_that_is_stopped_is_told_in_a_sentence(scene, tmp_path, monkeypatch):
+    blend = tmp_path / "box.blend"
+    bpy.ops.wm.save_as_mainfile(filepath=str(blend))
+    monkeypatch.setattr(draw.vectors, "drawing", lambda *_words, **_more: None)
+    with pytest.raises(RuntimeError, match="c.svg: stopped before the lines were drawn"):
+        draw.main([str(blend), "-o", str(tmp_path / "c.svg")])
+    assert not (tmp_path / "c.svg").exists()
+
+
+def test_kinds_are_there_as_soon_as_the_native_module_is(monkeypatch):
+    operators = part("render.vector_operators")
+    monkeypatch.setattr(operators, "_kept", {})
+    with monkeypatch.context() as without:
+        without.setattr(operators.vectors, "choices", lambda _of: [])
+        assert operators._items("VECTORS") == []
+    assert [name for name, *_ in operators._items("VECTORS")] == ["svg", "pdf", "dxf"]
+
+
 def test_nothing_is_left_where_a_file_cannot_be_written(scene, tmp_path):
     with pytest.raises(RuntimeError, match="could not be written"):
         exported(tmp_path / "none" / "box.svg")

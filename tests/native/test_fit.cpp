@@ -155,6 +155,31 @@ TEST(Fit, OfASmoothWaveHasATenthOfItsNumbers) {
     EXPECT_LE(curve.points.size() * 10, line.size());
 }
 
+TEST(Fit, OfALongSpiralHasACubicForEachPartOfATurn) {
+    // Each cubic is found by trying points near it, not all that come after it.
+    Points line;
+    for (int i = 0; i <= 200'000; ++i) {
+        const double angle = 0.01 * i;
+        line.push_back((10.0 + 0.5 * angle) * dvec2(std::cos(angle), std::sin(angle)));
+    }
+    const Curve curve = fit(line, false, tolerance);
+    EXPECT_EQ(curve.start(), line.front());
+    EXPECT_EQ(curve.end(), line.back());
+    const double turns = 2000.0 / (2.0 * std::numbers::pi);
+    EXPECT_GE(double(curve.cubic.size()), 3.0 * turns);
+    EXPECT_LE(double(curve.cubic.size()), 12.0 * turns);
+    const Points begin(line.begin(), line.begin() + 1000), flat = flattened(curve, 1e-4);
+    for (const dvec2& p : begin) EXPECT_LE(distance(p, Points(flat.begin(), flat.begin() + 5000)), tolerance + 1e-3);
+}
+
+TEST(Fit, StepsOfACubicAreAtMostTenThousandHoweverSmallTheErrorIs) {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    const Cubic wide{dvec2(0.0), dvec2(1e150), dvec2(-1e150), dvec2(0.0)};
+    EXPECT_EQ(steps_of(wide, 1e-300), 10000);
+    EXPECT_EQ(steps_of(wide, 0.0), 10000);
+    EXPECT_EQ(steps_of(Cubic{dvec2(nan), dvec2(1.0), dvec2(2.0), dvec2(3.0)}, 0.01), 1);
+}
+
 TEST(Fit, OfToleranceZeroIsThePolyline) {
     const Points line = circle(1.0, 12);
     EXPECT_EQ(fit(line, true, 0.0).points, line);

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <random>
 
+#include <fovea/base/cancel.h>
 #include <fovea/vector/join_lines.h>
 #include <fovea/vector/plot_order.h>
 
@@ -27,6 +28,30 @@ std::vector<Stop> random_strokes(std::size_t count, unsigned seed) {
         strokes.push_back({start, start + dvec2(step(random), step(random))});
     }
     return strokes;
+}
+
+/// Counts polls, and asks for cancellation at the `last` one.
+struct Counting : Cancel {
+    explicit Counting(std::size_t until) : last(until) {}
+    bool asked() const override { return ++polls >= last; }
+
+    const std::size_t last;
+    mutable std::size_t polls = 0;
+};
+
+/// Lines from one vertex in all directions.
+std::vector<Line> fan(std::size_t count) {
+    std::vector<Line> lines;
+    for (std::size_t i = 0; i < count; ++i) {
+        const double angle = 6.283185307179586 * double(i) / double(count);
+        lines.push_back({{{0, 0}, {100.0 * std::cos(angle), 100.0 * std::sin(angle)}}, false, i});
+    }
+    return lines;
+}
+
+bool equal(const std::vector<Turn>& one, const std::vector<Turn>& other) {
+    return std::ranges::equal(
+        one, other, [](const Turn& a, const Turn& b) { return a.stroke == b.stroke && a.reversed == b.reversed; });
 }
 
 void expect_each_once(const std::vector<Turn>& plan, std::size_t count) {
@@ -64,6 +89,37 @@ TEST(JoinLines, EndsThatAreApartAreNotJoined) {
     EXPECT_EQ(joined({}, 0.05).size(), 0u);
 }
 
+TEST(JoinLines, DashesOfOneStrokeAreNotJoinedAndThoseOfTwoAre) {
+    const auto dashes = [](Index first, Index second) {
+        return joined({{{{0, 0}, {1, 0}}, false, 0, first}, {{{1.04, 0}, {2, 0}}, false, 1, second}}, 0.05).size();
+    };
+    EXPECT_EQ(dashes(7, 7), 2u);
+    EXPECT_EQ(dashes(7, 8), 1u);
+    EXPECT_EQ(dashes(none, none), 1u);
+    const std::vector<Line> left =
+        without_doubles({{{{0, 0}, {9, 0}}, false, 0, none}, {{{5, 0}, {13, 0}}, false, 1, 7}}, 0.05, 0.2);
+    ASSERT_EQ(left.size(), 2u);
+    EXPECT_EQ(left[1].dash_of, 7u);
+}
+
+TEST(JoinLines, OfAFanAreThoseOppositeEachOther) {
+    const std::vector<Line> lines = joined(fan(600), 0.01);
+    EXPECT_EQ(lines.size(), 300u);
+    for (const Line& line : lines) EXPECT_NEAR(glm::distance(line.points.front(), line.points.back()), 200.0, 1e-6);
+}
+
+TEST(JoinLines, PollsForEachLine) {
+    const Counting all(std::size_t(-1));
+    {
+        const Cancelling scope(&all);
+        joined(without_doubles(fan(200), 0.01, 0.2), 0.01);
+    }
+    EXPECT_GE(all.polls, 600u);
+    const Counting some(300);
+    const Cancelling scope(&some);
+    EXPECT_THROW(joined(without_doubles(fan(200), 0.01, 0.2), 0.01), Cancelled);
+}
+
 TEST(JoinLines, WhatIsThereAlreadyIsLeftOut) {
     // The same line again, the other way around and a bit beside; a part of it that goes on; and one across.
     const std::vector<Line> left = without_doubles({{{{0, 0}, {10, 0}}, false, 0},
@@ -98,13 +154,38 @@ TEST(PlotOrder, HasEachStrokeOnceAndLessWayThanToTheNearestEnd) {
         if (count < 300) continue;
         EXPECT_LT(way, 0.9 * way_between(strokes, nearest, {0, 200}));
         const std::vector<Turn> again = plot_order(strokes, {0, 200});
-        EXPECT_TRUE(std::ranges::equal(plan, again, [](const Turn& a, const Turn& b) {
-            return a.stroke == b.stroke && a.reversed == b.reversed;
-        }));
+        EXPECT_TRUE(equal(plan, again));
     }
 }
 
 TEST(PlotOrder, OfStrokesAtOnePlaceIsAnyOrder) {
     const std::vector<Stop> same(50, Stop{{3, 3}, {3, 3}});
     expect_each_once(plot_order(same, {0, 0}), 50);
+}
+
+TEST(PlotOrder, EndsAfterItsTrialsWithAWayThatIsNoLonger) {
+    const std::vector<Stop> strokes = random_strokes(3000, 3);
+    const std::vector<Turn> nearest = nearest_order(strokes, {0, 0});
+    EXPECT_TRUE(equal(plot_order(strokes, {0, 0}, 0), nearest));
+    double way = way_between(strokes, nearest, {0, 0});
+    for (const std::size_t trials : {10'000u, 1'000'000u, 100'000'000u}) {
+        const double shorter = way_between(strokes, plot_order(strokes, {0, 0}, trials), {0, 0});
+        EXPECT_LT(shorter, way);
+        way = shorter;
+    }
+}
+
+TEST(PlotOrder, OfVeryManyStrokesTakesBoundedTrialsAndHearsACancel) {
+    const std::vector<Stop> strokes = random_strokes(50'000, 1);
+    const Counting all(std::size_t(-1));
+    {
+        const Cancelling scope(&all);
+        const std::vector<Turn> plan = plot_order(strokes, {0, 0}, 20'000'000);
+        EXPECT_LT(way_between(strokes, plan, {0, 0}),
+                  0.98 * way_between(strokes, nearest_order(strokes, {0, 0}), {0, 0}));
+    }
+    EXPECT_LT(all.polls, 2'000'000u);
+    const Counting some(120'000);
+    const Cancelling scope(&some);
+    EXPECT_THROW(plot_order(strokes, {0, 0}), Cancelled);
 }

@@ -26,18 +26,19 @@ PenTexture read_texture(const std::filesystem::path& file) {
     return texture;
 }
 
-std::string png_bytes(In<std::uint8_t> rgb, int width, int height) {
+std::string png_bytes(In<std::uint8_t> values, int width, int height, int channels) {
     check(width > 0 && height > 0, "a picture needs pixels");
-    check(rgb.size() == std::size_t(3) * width * height, "rgb: three values per pixel expected");
+    check(values.size() == std::size_t(channels) * width * height,
+          "rgb: " + std::string(channels == 3 ? "three" : std::to_string(channels)) + " values per pixel expected");
     png_image image{};
     image.version = PNG_IMAGE_VERSION;
     image.width = static_cast<png_uint_32>(width);
     image.height = static_cast<png_uint_32>(height);
-    image.format = PNG_FORMAT_RGB;
-    const png_int_32 upwards = -3 * width;
+    image.format = channels == 1 ? PNG_FORMAT_GRAY : channels == 4 ? PNG_FORMAT_RGBA : PNG_FORMAT_RGB;
+    const png_int_32 upwards = -channels * width;
     std::string bytes(PNG_IMAGE_PNG_SIZE_MAX(image), '\0');
     png_alloc_size_t size = bytes.size();
-    const bool done = png_image_write_to_memory(&image, bytes.data(), &size, 0, rgb.data(), upwards, nullptr);
+    const bool done = png_image_write_to_memory(&image, bytes.data(), &size, 0, values.data(), upwards, nullptr);
     check(done, image.message);
     bytes.resize(size);
     return bytes;

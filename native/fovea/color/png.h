@@ -16,8 +16,9 @@ inline constexpr std::size_t largest_texture = 64u << 20;  ///< bytes of its fil
 /// larger than the limits, which is known before its pixels are read.
 PenTexture read_texture(const std::filesystem::path& file);
 
-/// The bytes of a PNG file of width x height pixels, sRGB, three values each, bottom row first (as in textures). Throws
-/// std::invalid_argument if the number of values does not match, or is 0.
-std::string png_bytes(In<std::uint8_t> rgb, int width, int height);
+/// The bytes of a PNG file of width x height pixels, sRGB, bottom row first (as in textures). Each has one value
+/// (gray), three, or four with alpha, by which colors are not multiplied. Throws std::invalid_argument if the number of
+/// values does not match, or is 0.
+std::string png_bytes(In<std::uint8_t> values, int width, int height, int channels = 3);
 
 }  // namespace fovea::color

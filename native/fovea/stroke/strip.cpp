@@ -10,7 +10,6 @@ namespace fovea::stroke {
 
 namespace {
 
-constexpr double mitre_limit = -0.17;    // cosine of the sharpest mitred bend: 100 degrees
 constexpr double stretch_limit = 0.87;   // cosine of the bend up to which u is shared by both segments: 30 degrees
 constexpr double reverse_limit = -0.87;  // cosine of the sharpest bend whose inner corner is shared: 150 degrees
 constexpr double round_error = 0.1;      // px between a round join and its polygon

@@ -6,8 +6,8 @@
 #include <map>
 #include <set>
 
+#include <fovea/base/cancel.h>
 #include <fovea/base/check.h>
-#include <fovea/color/png.h>
 #include <fovea/color/srgb.h>
 #include <fovea/vector/fit.h>
 #include <fovea/vector/plot.h>
@@ -39,6 +39,23 @@ void take_out_empty(std::vector<Layer>& layers) {
     std::erase_if(layers, [](const Layer& layer) { return layer.paths.empty() && layer.layers.empty(); });
 }
 
+/// Pixels, premultiplied, as a picture; with alpha unless there is paper everywhere.
+Image image_from(In<vec4> pixels, const View& view, bool transparent) {
+    Image image{{}, view.width, view.height, transparent ? 4 : 3};
+    const auto channels = std::size_t(image.channels);
+    image.values.resize(channels * pixels.size());
+    parallel_for(pixels.size(), [&](std::size_t i) {
+        const vec4& pixel = pixels[i];
+        const float alpha = std::clamp(pixel.a, 0.0f, 1.0f);
+        const vec3 color = !transparent   ? vec3(pixel) + 1.0f - pixel.a
+                           : alpha > 0.0f ? vec3(pixel) / alpha
+                                          : vec3(0.0f);
+        for (int c = 0; c < 3; ++c) image.values[channels * i + c] = color::srgb_byte(color[c]);
+        if (transparent) image.values[channels * i + 3] = static_cast<std::uint8_t>(std::lround(255.0f * alpha));
+    });
+    return image;
+}
+
 /// The colors and the paper below the lines, if they are more than one color.
 std::optional<Image> image_of(Frame& frame, const Page& page) {
     const style::Style& style = frame.job.style;
@@ -46,13 +63,10 @@ std::optional<Image> image_of(Frame& frame, const Page& page) {
     if (!colored && (style.paper.transparent || style.paper.texture == "none" || style.paper.tint == 0.0)) return {};
     frame.picture();
     const View& view = frame.job.view;
-    const Array<vec4> pixels = frame.ground();
-    Array<std::uint8_t> rgb(3 * pixels.size());
-    parallel_for(pixels.size(), [&](std::size_t i) {
-        for (int c = 0; c < 3; ++c) rgb[3 * i + c] = color::srgb_byte(pixels[i][c] + 1.0f - pixels[i].a);
-    });
-    const dvec2 size(view.width, view.height);
-    return Image{png_bytes(rgb, view.width, view.height), page.lower, page.scale * size};
+    Image image = image_from(frame.ground(), view, style.paper.transparent);
+    image.lower = page.lower;
+    image.size = page.scale * dvec2(view.width, view.height);
+    return image;
 }
 
 void check_options(const Options& options) {
@@ -86,6 +100,15 @@ Index line_set_of(const Frame& frame, Index run) {
     return frame.paths->line_set[frame.clipped->path[frame.drawn->piece[run]]];
 }
 
+std::vector<Mark> dashes_apart(const std::vector<Mark>& marks, const Tracing& tracing) {
+    std::vector<Mark> dashes;
+    for (const Mark& mark : marks) {
+        Cancelling::poll();
+        for (Mark& dash : tracing.dashes_of(mark)) dashes.push_back(std::move(dash));
+    }
+    return dashes;
+}
+
 /// Layers of the line sets with the paths of all marks.
 std::vector<Layer> drawn_layers(const Frame& frame, const std::vector<Mark>& marks, const Tracing& tracing) {
     std::vector<Path> paths(marks.size());
@@ -99,6 +122,11 @@ std::vector<Layer> drawn_layers(const Frame& frame, const std::vector<Mark>& mar
         layers[line_set_of(frame, marks[i].run)].layers[visible].paths.push_back(std::move(paths[i]));
     }
     return layers;
+}
+
+/// A number before each label, by which plotters know pens.
+void number_labels(std::vector<Layer>& layers) {
+    for (std::size_t i = 0; i < layers.size(); ++i) layers[i].label = std::to_string(i + 1) + " " + layers[i].label;
 }
 
 /// The same with a layer for each pen, and what a plotter draws of the marks: lines of one width each.
@@ -115,14 +143,10 @@ std::vector<Layer> plotted_layers(const Frame& frame, const std::vector<Mark>& m
             for (std::size_t i = 0; i < marks.size(); ++i) {
                 if (line_set_of(frame, marks[i].run) != set || hidden != (frame.drawn->invisibility[marks[i].run] != 0))
                     continue;
-                lines.push_back({marks[i].points, marks[i].closed, i});
+                lines.push_back({marks[i].points, marks[i].closed, i, marks[i].is_dash ? marks[i].run : none});
                 width = std::max(width, mean_width(marks[i]));
             }
-            layers.push_back({part.id,
-                              std::to_string(layers.size() + 1) + " " + of_set.line_set + (hidden ? " hidden" : ""),
-                              of_set.line_set,
-                              {},
-                              {}});
+            layers.push_back({part.id, of_set.line_set + (hidden ? " hidden" : ""), of_set.line_set, {}, {}});
             for (const Line& line : as_plotted(std::move(lines), unit_mm)) {
                 Path path = tracing.owner_of(marks[line.origin]);
                 path.look = {.color = marks[line.origin].color, .width = width};
@@ -137,8 +161,11 @@ std::vector<Layer> plotted_layers(const Frame& frame, const std::vector<Mark>& m
 
 }  // namespace
 
-Drawing compose(Frame& frame, const Options& options) {
-    check_options(options);
+Drawing compose(Frame& frame, const Options& asked) {
+    check_options(asked);
+    const Cancelling scope(frame.job.cancel.get());
+    Options options = asked;
+    if (options.tolerance < Options::least_tolerance) options.tolerance = 0.0;
     frame.ink();
     const Page page = page_of(frame.job.view, frame.job.style.paper, options);
     Drawing made;
@@ -156,15 +183,11 @@ Drawing compose(Frame& frame, const Options& options) {
     const Tracing tracing(frame, options, page, found.grains);
     std::set<Index> strokes;
     for (const Mark& mark : found.marks) strokes.insert(mark.run);
-    if (options.plotter || options.dashes_apart) {
-        std::vector<Mark> dashes;
-        for (const Mark& mark : found.marks)
-            for (Mark& dash : tracing.dashes_of(mark)) dashes.push_back(std::move(dash));
-        found.marks = std::move(dashes);
-    }
+    if (options.plotter || options.dashes_apart) found.marks = dashes_apart(found.marks, tracing);
     document.layers = options.plotter ? plotted_layers(frame, found.marks, tracing, page.unit_mm)
                                       : drawn_layers(frame, found.marks, tracing);
     take_out_empty(document.layers);
+    if (options.plotter) number_labels(document.layers);
     made.figures.strokes = strokes.size();
     made.figures.polyline_numbers = found.numbers;
     for_each_path(document.layers, [&](const Path& path) {

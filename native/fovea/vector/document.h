@@ -39,9 +39,10 @@ struct Layer {
     std::vector<Layer> layers;  ///< above its own paths, from below
 };
 
-/// A PNG picture over a rectangle.
+/// A picture over a rectangle.
 struct Image {
-    std::string png;
+    Array<std::uint8_t> values;  ///< per pixel as displayed, bottom row first: color, and alpha where there are four
+    int width = 0, height = 0, channels = 3;
     dvec2 lower{0.0}, size{0.0};
 };
 

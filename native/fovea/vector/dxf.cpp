@@ -10,6 +10,8 @@
 namespace fovea::vector {
 namespace {
 
+constexpr std::size_t longest_name = 200;  // of at most 255 characters with what is added to it
+
 constexpr int weights[] = {5,  9,  13, 15, 18,  20,  25,  30,  35,  40,  50, 53,
                            60, 70, 80, 90, 100, 106, 120, 140, 158, 200, 211};  // 1/100 mm
 
@@ -18,7 +20,7 @@ int weight_of(double width) {
     return *std::ranges::min_element(weights, {}, [&](int weight) { return std::abs(weight - wanted); });
 }
 
-/// A name of a layer: letters and digits of English, others as underscores.
+/// A name of a layer, or the beginning of a long one: letters and digits of English, others as underscores.
 std::string layer_name(const std::string& label) {
     std::string name;
     for (const char c : label) {
@@ -26,7 +28,7 @@ std::string layer_name(const std::string& label) {
         if (static_cast<unsigned char>(c) >= 0x80 && static_cast<unsigned char>(c) < 0xc0) continue;
         name += lower ? char(c - 'a' + 'A') : plain || c == '-' ? c : '_';
     }
-    return name;
+    return name.substr(0, longest_name);
 }
 
 class Writer {
@@ -109,30 +111,12 @@ class Writer {
         section("TABLES");
         table("VPORT", 1, 0);
         end_table();
-        table("LTYPE", 2, 3);
-        for (const char* name : {"ByBlock", "ByLayer", "Continuous"}) {
-            record("LTYPE", next_handle(), handle(2), "AcDbLinetypeTableRecord");
-            pair(2, name);
-            pair(70, 0);
-            pair(3, "");
-            pair(72, 65);
-            pair(73, 0);
-            pair(40, "0");
-        }
-        end_table();
+        line_types();
         table("LAYER", 3, int(layers_.size()) + 1);
         layer("0", 25);
         for (const auto& [name, weight] : layers_) layer(name, weight);
         end_table();
-        table("STYLE", 4, 1);
-        record("STYLE", next_handle(), handle(4), "AcDbTextStyleTableRecord");
-        pair(2, "Standard");
-        pair(70, 0);
-        for (const int code : {40, 50, 71, 42}) pair(code, code == 42 ? 1 : 0);
-        pair(41, 1);
-        pair(3, "txt");
-        pair(4, "");
-        end_table();
+        text_styles();
         for (const auto& [name, own] : {std::pair("VIEW", 5), std::pair("UCS", 6)}) {
             table(name, own, 0);
             end_table();
@@ -145,6 +129,37 @@ class Writer {
         table("DIMSTYLE", 8, 0);
         pair(100, "AcDbDimStyleTable");
         end_table();
+        block_records();
+        end_section();
+    }
+
+    void line_types() {
+        table("LTYPE", 2, 3);
+        for (const char* name : {"ByBlock", "ByLayer", "Continuous"}) {
+            record("LTYPE", next_handle(), handle(2), "AcDbLinetypeTableRecord");
+            pair(2, name);
+            pair(70, 0);
+            pair(3, "");
+            pair(72, 65);
+            pair(73, 0);
+            pair(40, "0");
+        }
+        end_table();
+    }
+
+    void text_styles() {
+        table("STYLE", 4, 1);
+        record("STYLE", next_handle(), handle(4), "AcDbTextStyleTableRecord");
+        pair(2, "Standard");
+        pair(70, 0);
+        for (const int code : {40, 50, 71, 42}) pair(code, code == 42 ? 1 : 0);
+        pair(41, 1);
+        pair(3, "txt");
+        pair(4, "");
+        end_table();
+    }
+
+    void block_records() {
         table("BLOCK_RECORD", 9, 2);
         for (const auto& [name, own] :
              {std::pair("*Model_Space", model_space), std::pair("*Paper_Space", paper_space)}) {
@@ -153,7 +168,6 @@ class Writer {
             pair(340, "0");
         }
         end_table();
-        end_section();
     }
 
     void layer(const std::string& name, int weight) {

@@ -15,6 +15,7 @@ constexpr double look = 6.0;          // tolerances over which directions are me
 constexpr double most_rise = 14.0;    // tolerances; a smooth curve is a 14th of the side times the turn beside it
 constexpr double for_points = 0.9;    // of the tolerance: the rest is for points that are left out
 constexpr std::size_t few_sides = 2;  // of a polyline, which have fewer numbers than a cubic
+constexpr std::size_t at_once = 200;  // points that one cubic is tried for first
 constexpr std::size_t beside = 3;     // points to each side of a joint that tell its tangent
 
 Points distinct(In<dvec2> points, double near) {
@@ -156,11 +157,13 @@ class Smooth {
         return found.has_value();
     }
 
-    /// The farthest point that one cubic reaches, which is kept: all, or by doubled steps and then halved ones.
+    /// The farthest point that one cubic reaches, which is kept: all, or by doubled steps and then halved ones. All of
+    /// a long line is tried after these steps, so that the time grows as its length.
     std::size_t farthest(std::size_t from, const Tangents& ends) {
         best_.reset();
         const std::size_t last = points_.size() - 1;
-        if (reaches(from, last, ends)) return last;
+        const bool is_long = last - from > at_once;
+        if (!is_long && reaches(from, last, ends)) return last;
         std::size_t near = from + 1, far = last, step = 2;
         reaches(from, near, ends);
         while (near + step < last) {
@@ -171,6 +174,7 @@ class Smooth {
             near += step;
             step *= 2;
         }
+        if (is_long && far == last && reaches(from, last, ends)) return last;
         while (far - near > 1) {
             const std::size_t middle = near + (far - near) / 2;
             (reaches(from, middle, ends) ? near : far) = middle;

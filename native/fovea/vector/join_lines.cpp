@@ -6,6 +6,7 @@
 #include <numeric>
 #include <tuple>
 
+#include <fovea/base/cancel.h>
 #include <fovea/vector/fit_cubic.h>
 #include <fovea/vector/point_grid.h>
 
@@ -14,6 +15,11 @@ namespace {
 
 constexpr double parallel = 0.9986;  // cosine of 3 degrees
 constexpr double side_length = 0.5;  // in cells of the grid: sides of kept lines are cut into such parts
+constexpr double most_steps = 1e6;   // of a side
+constexpr std::size_t most_partners = 8;
+
+/// Parts of a length, at most that long.
+int parts_of(double length, double step) { return int(std::clamp(std::ceil(length / step), 1.0, most_steps)); }
 
 /// Sides of lines that are kept, by place.
 class Kept {
@@ -23,7 +29,7 @@ class Kept {
     void add(const Points& points) {
         for (std::size_t i = 1; i < points.size(); ++i) {
             const dvec2 a = points[i - 1], b = points[i];
-            const int parts = std::max(1, int(std::ceil(glm::distance(a, b) / (side_length * grid_.cell()))));
+            const int parts = parts_of(glm::distance(a, b), step());
             for (int k = 0; k < parts; ++k) {
                 const dvec2 from = glm::mix(a, b, double(k) / parts), to = glm::mix(a, b, (k + 1.0) / parts);
                 grid_.add(0.5 * (from + to), sides_.size());
@@ -57,7 +63,7 @@ class Kept {
 Points in_steps(const Points& points, double step) {
     Points fine{points.front()};
     for (std::size_t i = 1; i < points.size(); ++i) {
-        const int parts = std::max(1, int(std::ceil(glm::distance(points[i - 1], points[i]) / step)));
+        const int parts = parts_of(glm::distance(points[i - 1], points[i]), step);
         for (int k = 1; k < parts; ++k) fine.push_back(glm::mix(points[i - 1], points[i], double(k) / parts));
         fine.push_back(points[i]);
     }
@@ -89,7 +95,7 @@ std::vector<Line> left_of_line(const Line& line, const Kept& kept, double least)
     for (std::size_t i = 0; i < there.size();) {
         const std::size_t end = stretch_end(i);
         if (!there[i] && length(i, end) > least)
-            parts.push_back({Points(fine.begin() + i, fine.begin() + end + 1), false, line.origin});
+            parts.push_back({Points(fine.begin() + i, fine.begin() + end + 1), false, line.origin, line.dash_of});
         i = end;
     }
     return parts;
@@ -114,23 +120,66 @@ dvec2 way_out(const std::vector<Line>& lines, std::size_t number, double over) {
 /// Which end each end is joined to; `nobody`: to none.
 constexpr std::size_t nobody = std::size_t(-1);
 
-std::vector<std::size_t> pairs_of(const std::vector<Line>& lines, double near) {
-    PointGrid grid(std::max(near, 1e-6));
-    std::vector<std::tuple<double, std::size_t, std::size_t>> pairs;  // by how much the way turns back
-    for (std::size_t e = 0; e < 2 * lines.size(); ++e) {
-        if (lines[e / 2].closed) continue;
-        const dvec2 place = end_of(lines, e);
-        grid.near(place, [&](std::size_t other) {
-            // A line that is shorter than that is no loop.
-            if (other / 2 == e / 2 && length_of(lines[e / 2].points) < 4.0 * near) return;
-            if (glm::distance(end_of(lines, other), place) > near) return;
-            pairs.emplace_back(glm::dot(way_out(lines, e, 5.0 * near), way_out(lines, other, 5.0 * near)), other, e);
-        });
-        grid.add(place, e);
+/// Ends of lines that may be joined to each other.
+class Ends {
+   public:
+    Ends(const std::vector<Line>& lines, double near) : lines_(lines), near_(near), grid_(std::max(near, 1e-6)) {
+        for (std::size_t e = 0; e < 2 * lines.size(); ++e) {
+            ways_.push_back(way_out(lines, e, 5.0 * near));
+            if (!lines[e / 2].closed) grid_.add(end_of(lines, e), e);
+        }
     }
-    std::ranges::sort(pairs);
+
+    /// By how much the way turns back, and two ends: of each end those that go on most straight.
+    std::vector<std::tuple<double, std::size_t, std::size_t>> pairs() const {
+        std::vector<std::tuple<double, std::size_t, std::size_t>> all;
+        for (std::size_t e = 0; e < ways_.size(); ++e) {
+            Cancelling::poll();
+            if (lines_[e / 2].closed) continue;
+            for (const auto& [turn, beyond] : partners(e)) {
+                const std::size_t other = (e + beyond) % ways_.size();
+                all.emplace_back(turn, std::min(e, other), std::max(e, other));
+            }
+        }
+        std::ranges::sort(all);
+        const auto twice = std::ranges::unique(all);
+        all.erase(twice.begin(), twice.end());
+        return all;
+    }
+
+   private:
+    /// The best partners of an end: the turn, and how many ends farther on they are. Equal turns have different best
+    /// partners each.
+    std::vector<std::pair<double, std::size_t>> partners(std::size_t e) const {
+        std::vector<std::pair<double, std::size_t>> best;
+        const dvec2 place = end_of(lines_, e);
+        grid_.near(place, [&](std::size_t other) {
+            if (!may_join(e, other) || glm::distance(end_of(lines_, other), place) > near_) return;
+            const std::pair found(glm::dot(ways_[e], ways_[other]), (other + ways_.size() - e) % ways_.size());
+            if (best.size() == most_partners && found >= best.back()) return;
+            if (best.size() == most_partners) best.pop_back();
+            best.insert(std::ranges::upper_bound(best, found), found);
+        });
+        return best;
+    }
+
+    bool may_join(std::size_t a, std::size_t b) const {
+        const Line &one = lines_[a / 2], &other = lines_[b / 2];
+        if (a == b) return false;
+        // A line that is shorter than that is no loop.
+        if (a / 2 == b / 2) return length_of(one.points) >= 4.0 * near_;
+        return one.dash_of == none || one.dash_of != other.dash_of;
+    }
+
+    const std::vector<Line>& lines_;
+    double near_;
+    PointGrid grid_;
+    std::vector<dvec2> ways_;
+};
+
+std::vector<std::size_t> pairs_of(const std::vector<Line>& lines, double near) {
     std::vector<std::size_t> partner(2 * lines.size(), nobody);
-    for (const auto& [turn, a, b] : pairs)
+    for (const auto& [turn, a, b] : Ends(lines, near).pairs())
         if (partner[a] == nobody && partner[b] == nobody) {
             partner[a] = b;
             partner[b] = a;
@@ -156,11 +205,13 @@ std::vector<Line> without_doubles(std::vector<Line> lines, double near, double l
     std::ranges::stable_sort(order, std::ranges::greater(), [&](std::size_t i) { return lengths[i]; });
     Kept kept(near);
     std::vector<Line> left;
-    for (const std::size_t i : order)
+    for (const std::size_t i : order) {
+        Cancelling::poll();
         for (Line& part : left_of_line(lines[i], kept, least)) {
             kept.add(part.points);
             left.push_back(std::move(part));
         }
+    }
     std::ranges::stable_sort(left, {}, &Line::origin);
     return left;
 }

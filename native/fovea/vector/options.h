@@ -23,12 +23,14 @@ struct Options {
 
     bool operator==(const Options&) const = default;
 
+    static constexpr double least_tolerance = 0.002;  ///< [mm]; less is none: files have micrometers
     static constexpr style::Domain length{0.0, 1000.0, 100.0, style::Unit::millimeters};
+    static constexpr style::Domain deviation{0.0, 10.0, 1.0, style::Unit::millimeters};
     static constexpr std::tuple fields{
         style::Field{"sheet", &Options::sheet, "Paper", "Size of the paper, which lies as the picture does"},
         style::Field{"margin", &Options::margin, "Margin", "Left free around the picture on a sheet of paper", length},
         style::Field{"tolerance", &Options::tolerance, "Tolerance",
-                     "How far curves may lie beside the lines that they stand for; 0: no curves", length},
+                     "How far curves may lie beside the lines that they stand for; below 0.002: no curves", deviation},
         style::Field{"widths", &Options::widths, "Changing Widths", "What becomes of strokes whose width changes"},
         style::Field{"dashes_apart", &Options::dashes_apart, "Dashes Apart", "Each dash is a line of its own"},
         style::Field{"ground", &Options::ground, "Paper and Colors",

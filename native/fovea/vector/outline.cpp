@@ -5,13 +5,13 @@
 #include <cmath>
 
 #include <fovea/base/elementary.h>
+#include <fovea/stroke/strip.h>
 #include <fovea/vector/fit.h>
 #include <fovea/vector/fit_cubic.h>
 
 namespace fovea::vector {
 namespace {
 
-constexpr double mitre_limit = -0.17;     // cosine of the sharpest mitred bend: 100 degrees
 constexpr double straight = 0.995;        // cosine of a bend that needs no room
 constexpr double kept_share = 0.98;       // of half the width; points of a side that are nearer to the line are inside
 constexpr double quarter = 0.5522847498;  // handles of a cubic for a quarter of a circle, in radii
@@ -83,7 +83,7 @@ class Side {
         const double along = glm::dot(a, b);
         const bool inner = side_ * cross(a, b) > 0.0, is_end = !line_.closed && (i == 0 || i + 1 == line_.size());
         if (is_end) return out_.push_back(square(i, a));
-        if (along < mitre_limit) {
+        if (along < stroke::mitre_limit) {
             if (!inner) add_arc(i, a, b);
             return;
         }

@@ -12,8 +12,8 @@ struct RoundEnds {
 };
 
 /// Curves around a polyline of at least two points with a width at each, to be filled by the nonzero rule: one, or for
-/// a closed polyline, whose last point repeats the first, one on each side. Bends are mitred up to 100 degrees, and
-/// rounded beyond that. Each side keeps within `tolerance`, as in `fit`.
+/// a closed polyline, whose last point repeats the first, one on each side. Bends are mitred and rounded as those
+/// of strokes (stroke/strip.h). Each side keeps within `tolerance`, as in `fit`.
 std::vector<Curve> outline(In<dvec2> points, In<double> widths, bool closed, RoundEnds round, double tolerance);
 
 }  // namespace fovea::vector

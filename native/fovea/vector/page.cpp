@@ -2,9 +2,9 @@
 #include <fovea/vector/page.h>
 
 #include <algorithm>
-#include <sstream>
 
 #include <fovea/base/check.h>
+#include <fovea/vector/text.h>
 
 namespace fovea::vector {
 namespace {
@@ -23,9 +23,8 @@ Page page_of(const View& view, const style::Paper& paper, const Options& options
     dvec2 size = sheets[int(options.sheet) - int(Sheet::a0)];
     if (view.width > view.height) std::swap(size.x, size.y);
     const dvec2 room = size - 2.0 * options.margin;
-    std::ostringstream refusal;
-    refusal << "vectors: a margin of " << options.margin << " mm leaves no room on this paper: make it smaller";
-    check(std::min(room.x, room.y) > 0.0, refusal.str());
+    check(std::min(room.x, room.y) > 0.0,
+          "vectors: a margin of " + number(options.margin) + " mm leaves no room on this paper: make it smaller");
     const double scale = std::min(room.x / picture.x, room.y / picture.y);
     return {size, 0.5 * (size - scale * picture), scale, 1.0};
 }

@@ -7,6 +7,8 @@
 #include <zlib.h>
 
 #include <fovea/base/check.h>
+#include <fovea/color/png.h>
+#include <fovea/stroke/strip.h>
 #include <fovea/vector/text.h>
 
 namespace fovea::vector {
@@ -50,20 +52,27 @@ std::uint32_t big_endian(std::string_view bytes) {
     return value;
 }
 
-/// A PNG (8 bits, RGB) as an image: its compressed rows are what PDF reads, too.
-std::string image_object(std::string_view png) {
+/// Some of the values of a picture's pixels, from number `first` on, as an image: the compressed rows of a PNG are what
+/// PDF reads, too. `more`: of its dictionary.
+std::string image_object(const Image& image, int first, int count, const std::string& more = "") {
+    const std::size_t pixels = image.values.size() / std::size_t(image.channels);
+    Array<std::uint8_t> values(std::size_t(count) * pixels);
+    for (std::size_t i = 0; i < pixels; ++i)
+        for (int c = 0; c < count; ++c) values[count * i + c] = image.values[image.channels * i + first + c];
+    const std::string bytes = color::png_bytes(values, image.width, image.height, count);
+    const std::string_view png = bytes;
     std::string rows;
-    const std::string width = std::to_string(big_endian(png.substr(16))),
-                      height = std::to_string(big_endian(png.substr(20)));
     for (std::size_t at = 8; at + 12 <= png.size();) {
         const std::size_t size = big_endian(png.substr(at));
         if (png.substr(at + 4, 4) == "IDAT") rows += png.substr(at + 8, size);
         at += size + 12;
     }
-    return "<< /Type /XObject /Subtype /Image /Width " + width + " /Height " + height +
-           " /ColorSpace /DeviceRGB /BitsPerComponent 8 /Filter /FlateDecode /DecodeParms << /Predictor 15 /Colors 3 "
-           "/Columns " +
-           width + " >> /Length " + std::to_string(rows.size()) + " >>\nstream\n" + rows + "\nendstream";
+    const std::string width = std::to_string(image.width);
+    return "<< /Type /XObject /Subtype /Image /Width " + width + " /Height " + std::to_string(image.height) +
+           " /ColorSpace /Device" + (count == 1 ? "Gray" : "RGB") +
+           " /BitsPerComponent 8 /Filter /FlateDecode /DecodeParms << /Predictor 15 /Colors " + std::to_string(count) +
+           " /Columns " + width + " >> " + more + "/Length " + std::to_string(rows.size()) + " >>\nstream\n" + rows +
+           "\nendstream";
 }
 
 class Writer {
@@ -72,7 +81,7 @@ class Writer {
 
     std::string write() {
         const double scale = document_.in_pixels ? points_per_px : points_per_mm;
-        content_ = real(scale) + " 0 0 " + real(scale) + " 0 0 cm\n1.556 M\n";
+        content_ = real(scale) + " 0 0 " + real(scale) + " 0 0 cm\n" + number(stroke::mitre_length) + " M\n";
         ground();
         std::string order;
         for (const Layer& layer : document_.layers) order += add(layer);
@@ -168,7 +177,7 @@ class Writer {
         const std::string stream = compressed(content_);
         object("<< /Filter /FlateDecode /Length " + std::to_string(stream.size()) + " >>\nstream\n" + stream +
                "\nendstream");
-        object(document_.image ? image_object(document_.image->png) : "null");
+        images();
         for (const std::string& label : labels_) object("<< /Type /OCG /Name " + text_of(label) + " >>");
         const std::string count = std::to_string(places_.size() + 1), start = std::to_string(out_.size());
         out_ += "xref\n0 " + count + "\n0000000000 65535 f \n";
@@ -177,12 +186,20 @@ class Writer {
         return std::move(out_);
     }
 
+    /// The picture, and its alpha.
+    void images() {
+        const bool has_alpha = document_.image && document_.image->channels == 4;
+        const std::string mask = has_alpha ? "/SMask " + std::to_string(image_number + 1) + " 0 R " : "";
+        object(document_.image ? image_object(*document_.image, 0, 3, mask) : "null");
+        object(has_alpha ? image_object(*document_.image, 3, 1) : "null");
+    }
+
     void object(const std::string& body) {
         places_.push_back(out_.size());
         out_ += std::to_string(places_.size()) + " 0 obj\n" + body + "\nendobj\n";
     }
 
-    static constexpr std::size_t image_number = 5, first_layer = 6;  // numbers of objects
+    static constexpr std::size_t image_number = 5, first_layer = 7;  // numbers of objects
 
     const Document& document_;
     std::string out_ = "%PDF-1.5\n%\xe2\xe3\xcf\xd3\n", content_;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include <fovea/base/cancel.h>
 #include <fovea/vector/point_grid.h>
 
 namespace fovea::vector {
@@ -12,7 +13,9 @@ namespace {
 
 constexpr double points_per_cell = 2.0;
 constexpr int most_rounds = 30;
-constexpr std::ptrdiff_t window = 1000;   // strokes over which a part of the way is turned around
+constexpr std::ptrdiff_t widest = 1000;   // strokes over which a part of the way is turned around
+constexpr std::ptrdiff_t narrowest = 10;  // and where there are many, so that trials are enough for some rounds
+constexpr std::size_t shared = 20;        // trials of a stroke in these rounds, in windows
 constexpr std::ptrdiff_t most_moved = 3;  // strokes that are moved together
 constexpr double least_gain = 1e-9;
 
@@ -27,14 +30,20 @@ dvec2 last_of(In<Stop> strokes, const Turn& turn) {
 /// Where strokes begin and end along a plan; one more before the first, home, and none after the last.
 class Plan {
    public:
-    Plan(In<Stop> strokes, std::vector<Turn> turns, const dvec2& home)
-        : strokes_(strokes), turns_(std::move(turns)), home_(home), count_(std::ptrdiff_t(turns_.size())) {}
+    Plan(In<Stop> strokes, std::vector<Turn> turns, const dvec2& home, std::size_t trials)
+        : strokes_(strokes),
+          turns_(std::move(turns)),
+          home_(home),
+          count_(std::ptrdiff_t(turns_.size())),
+          trials_(std::ptrdiff_t(trials)),
+          window_(std::clamp(trials_ / std::ptrdiff_t(shared * std::max<std::size_t>(turns_.size(), 1)), narrowest,
+                             widest)) {}
 
     /// Whether turning a part of the way around shortens it anywhere.
     bool turn_parts() {
         bool any = false;
-        for (std::ptrdiff_t i = 0; i < count_; ++i)
-            for (std::ptrdiff_t j = i; j < std::min(count_, i + window); ++j) {
+        for (std::ptrdiff_t i = 0; i < count_ && may_try(); ++i)
+            for (std::ptrdiff_t j = i; j < std::min(count_, i + window_); ++j, --trials_) {
                 const double before = gap(i) + gap(j + 1);
                 const double after = glm::distance(last(i - 1), last(j)) + to_next(first(i), j + 1);
                 if (after > before - least_gain) continue;
@@ -48,13 +57,17 @@ class Plan {
     bool move_parts() {
         bool any = false;
         for (std::ptrdiff_t size = 1; size <= most_moved; ++size)
-            for (std::ptrdiff_t i = 0; i + size <= count_; ++i) any = move(i, i + size - 1) || any;
+            for (std::ptrdiff_t i = 0; i + size <= count_ && may_try(); ++i) any = move(i, i + size - 1) || any;
         return any;
     }
 
     std::vector<Turn> turns() { return std::move(turns_); }
 
    private:
+    bool may_try() const {
+        Cancelling::poll();
+        return trials_ > 0;
+    }
     dvec2 first(std::ptrdiff_t i) const { return first_of(strokes_, turns_[i]); }
     dvec2 last(std::ptrdiff_t i) const { return i < 0 ? home_ : last_of(strokes_, turns_[i]); }
     /// Length of the way from a place to stroke i; 0 after the last.
@@ -65,6 +78,7 @@ class Plan {
     double gap(std::ptrdiff_t i) const { return to_next(last(i - 1), i); }
 
     void reverse(std::ptrdiff_t i, std::ptrdiff_t j) {
+        trials_ -= j - i;
         std::reverse(turns_.begin() + i, turns_.begin() + j + 1);
         for (std::ptrdiff_t k = i; k <= j; ++k) turns_[k].reversed = !turns_[k].reversed;
     }
@@ -75,8 +89,9 @@ class Plan {
         double best = taken - least_gain;
         std::ptrdiff_t place = -1;
         bool turned = false;
-        const std::ptrdiff_t from = std::max<std::ptrdiff_t>(0, i - window);
-        const std::ptrdiff_t to = std::min(count_, j + 1 + window);
+        const std::ptrdiff_t from = std::max<std::ptrdiff_t>(0, i - window_);
+        const std::ptrdiff_t to = std::min(count_, j + 1 + window_);
+        trials_ -= to - from;
         for (std::ptrdiff_t k = from; k <= to; ++k) {  // before stroke k
             if (k >= i && k <= j + 1) continue;
             const double whole = gap(k);
@@ -100,7 +115,7 @@ class Plan {
     In<Stop> strokes_;
     std::vector<Turn> turns_;
     dvec2 home_;
-    std::ptrdiff_t count_;
+    std::ptrdiff_t count_, trials_, window_;
 };
 
 }  // namespace
@@ -124,6 +139,7 @@ std::vector<Turn> nearest_order(In<Stop> strokes, const dvec2& home) {
     std::vector<Turn> plan;
     dvec2 at = home;
     while (plan.size() < strokes.size()) {
+        Cancelling::poll();
         double nearest = std::numeric_limits<double>::infinity();
         std::size_t best = 0;
         for (int ring = 0; ring <= most_rings && nearest > (ring - 1) * grid.cell(); ++ring)
@@ -142,8 +158,8 @@ std::vector<Turn> nearest_order(In<Stop> strokes, const dvec2& home) {
     return plan;
 }
 
-std::vector<Turn> plot_order(In<Stop> strokes, const dvec2& home) {
-    Plan plan(strokes, nearest_order(strokes, home), home);
+std::vector<Turn> plot_order(In<Stop> strokes, const dvec2& home, std::size_t trials) {
+    Plan plan(strokes, nearest_order(strokes, home), home, trials);
     for (int round = 0; round < most_rounds; ++round) {
         const bool turned = plan.turn_parts(), moved = plan.move_parts();
         if (!turned && !moved) break;

@@ -19,9 +19,12 @@ struct Turn {
     bool reversed;
 };
 
-/// Each stroke once. The pen begins at `home`, and ends anywhere. The same for the same strokes, after a number of
-/// trials that grows as their number.
-std::vector<Turn> plot_order(In<Stop> strokes, const dvec2& home);
+/// Places that are tried to shorten the way: seconds.
+inline constexpr std::size_t most_trials = 100'000'000;
+
+/// Each stroke once. The pen begins at `home`, and ends anywhere. The same for the same strokes: after so many trials,
+/// or about that, it stays as it is. Polls Cancelling.
+std::vector<Turn> plot_order(In<Stop> strokes, const dvec2& home, std::size_t trials = most_trials);
 
 /// The same by the nearest end alone.
 std::vector<Turn> nearest_order(In<Stop> strokes, const dvec2& home);

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fovea/vector/svg.h>
 
+#include <fovea/color/png.h>
+#include <fovea/stroke/strip.h>
 #include <fovea/vector/text.h>
 
 namespace fovea::vector {
 namespace {
-
-constexpr char mitre_limit[] = "1.556";  // of a bend of 100 degrees
 
 void attribute(std::string& out, const char* name, const std::string& value) {
     out += ' ';
@@ -118,7 +118,9 @@ class Writer {
             attribute(out_, "width", number(image.size.x));
             attribute(out_, "height", number(image.size.y));
             attribute(out_, "preserveAspectRatio", "none");
-            attribute(out_, "xlink:href", "data:image/png;base64," + base64(image.png));
+            attribute(out_, "xlink:href",
+                      "data:image/png;base64," +
+                          base64(color::png_bytes(image.values, image.width, image.height, image.channels)));
             out_ += "/>\n";
         }
         out_ += "</g>\n";
@@ -133,7 +135,7 @@ class Writer {
         if (depth == 1) {
             attribute(out_, "fill", "none");
             attribute(out_, "stroke-linejoin", "miter");
-            attribute(out_, "stroke-miterlimit", mitre_limit);
+            attribute(out_, "stroke-miterlimit", number(stroke::mitre_length));
         }
         out_ += ">\n";
         for (const Path& path : layer.paths) add(path);

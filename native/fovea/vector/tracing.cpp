@@ -3,21 +3,24 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include <fovea/line/registry.h>
+#include <fovea/stroke/strip.h>
 #include <fovea/vector/fit.h>
 #include <fovea/vector/outline.h>
+#include <fovea/vector/text.h>
 
 namespace fovea::vector {
 namespace {
 
-constexpr double outline_share = 0.5;  // of the tolerance: a stroke has two sides
-constexpr double mitre_limit = -0.17;  // cosine of the sharpest mitred bend: 100 degrees (stroke/strip.h)
+constexpr double outline_share = 0.5;      // of the tolerance: a stroke has two sides
+constexpr double least_pattern_mm = 0.05;  // dashes and gaps that are shorter together are one line
 
 bool is_sharp(const Points& points) {
     for (std::size_t i = 1; i + 1 < points.size(); ++i) {
         const dvec2 a = points[i] - points[i - 1], b = points[i + 1] - points[i];
-        if (glm::dot(a, b) < mitre_limit * glm::length(a) * glm::length(b)) return true;
+        if (glm::dot(a, b) < stroke::mitre_limit * glm::length(a) * glm::length(b)) return true;
     }
     return false;
 }
@@ -28,27 +31,47 @@ bool is_even(const Mark& mark, double tolerance) {
     return high - low <= tolerance;
 }
 
-/// The part of a mark between two lengths along it.
-Mark part_of(const Mark& mark, double from, double to) {
-    Mark part = mark;
-    part.points.clear();
-    part.widths.clear();
-    part.closed = false;
-    const auto add = [&](std::size_t i, double t) {
-        part.points.push_back(glm::mix(mark.points[i - 1], mark.points[i], t));
-        part.widths.push_back(glm::mix(mark.widths[i - 1], mark.widths[i], t));
-    };
-    double along = 0.0;
-    for (std::size_t i = 1; i < mark.points.size(); ++i) {
-        const double step = glm::distance(mark.points[i - 1], mark.points[i]), end = along + step;
-        if (step > 0.0 && end > from && along < to) {
-            if (part.points.empty()) add(i, std::clamp((from - along) / step, 0.0, 1.0));
-            add(i, std::clamp((to - along) / step, 0.0, 1.0));
+/// Takes parts of a mark, from its start on.
+class Parts {
+   public:
+    explicit Parts(const Mark& mark) : mark_(mark) {}
+
+    /// The dash between two lengths along it; none begins before the last one does.
+    Mark dash(double from, double to) {
+        while (side_ < mark_.points.size() && along_ + length_of_side(side_) <= from) along_ += length_of_side(side_++);
+        Mark dash{.run = mark_.run,
+                  .arc = mark_.arc + from,
+                  .color = mark_.color,
+                  .opacity = mark_.opacity,
+                  .is_dash = true,
+                  .starts = mark_.starts,
+                  .ends = mark_.ends};
+        double along = along_;
+        for (std::size_t i = side_; i < mark_.points.size() && along < to; ++i) {
+            const double step = length_of_side(i);
+            if (step > 0.0) {
+                if (dash.points.empty()) add(i, (from - along) / step, dash);
+                add(i, (to - along) / step, dash);
+            }
+            along += step;
         }
-        along = end;
+        return dash;
     }
-    return part;
-}
+
+   private:
+    double length_of_side(std::size_t i) const { return glm::distance(mark_.points[i - 1], mark_.points[i]); }
+    void add(std::size_t i, double share, Mark& dash) const {
+        const double t = std::clamp(share, 0.0, 1.0);
+        dash.points.push_back(glm::mix(mark_.points[i - 1], mark_.points[i], t));
+        dash.widths.push_back(glm::mix(mark_.widths[i - 1], mark_.widths[i], t));
+    }
+
+    const Mark& mark_;
+    std::size_t side_ = 1;  // the first that does not end before the last dash begins
+    double along_ = 0.0;    // where it begins
+};
+
+double sum(const std::vector<double>& lengths) { return std::accumulate(lengths.begin(), lengths.end(), 0.0); }
 
 }  // namespace
 
@@ -58,15 +81,18 @@ Tracing::Tracing(const Frame& frame, const Options& options, const Page& page, c
       options_(options),
       grains_(grains),
       tolerance_(options.tolerance / page.unit_mm),
+      least_pattern_(std::max({2.0 * tolerance_, least_pattern_mm / page.unit_mm, 10.0 / grid})),
       scale_(page.scale) {}
 
 Path Tracing::path_of(const Mark& mark) const {
-    const bool round = pen_of(mark).look.cap == Cap::round, dashed = !grain_of(mark).dashes.empty();
+    const bool round = pen_of(mark).look.cap == Cap::round;
+    const Look look = this->dashed(mark);
+    const bool dashed = mark.is_dash || !look.dashes.empty();
     const bool as_pen_ends = mark.closed || (mark.starts && mark.ends), centered = options_.widths == Widths::center;
     const bool even = is_even(mark, outline_share * tolerance_) && (!round || as_pen_ends);
     Path path = owner_of(mark);
     if (centered || dashed || even) {
-        path.look = this->dashed(mark);
+        path.look = look;
         if (!dashed) path.look.round_caps = round && (as_pen_ends || centered);
         path.look.round_joins = is_sharp(mark.points);
         path.curves = {fit(mark.points, mark.closed, tolerance_)};
@@ -109,6 +135,11 @@ Look Tracing::dashed(const Mark& mark) const {
     const double repetition = scale_ * pen_of(mark).texture_length_px, cut = grain.round ? look.width : 0.0;
     for (std::size_t k = 0; k < grain.dashes.size(); ++k)
         look.dashes.push_back(std::max(repetition * grain.dashes[k] + (k % 2 ? cut : -cut), 0.0));
+    // A line of less is no darker, and has no end of dashes.
+    if (!(sum(look.dashes) >= least_pattern_)) {
+        look.dashes.clear();
+        return look;
+    }
     const double into = mark.arc - repetition * grain.first - 0.5 * cut;
     look.dash_start = into - repetition * std::floor(into / repetition);
     return look;
@@ -116,18 +147,16 @@ Look Tracing::dashed(const Mark& mark) const {
 
 std::vector<Mark> Tracing::dashes_of(const Mark& mark) const {
     const Look look = dashed(mark);
-    double pattern = 0.0;
-    for (const double length : look.dashes) pattern += length;
-    if (!(pattern > 0.0)) return {mark};
+    if (look.dashes.empty()) return {mark};
     const double length = length_of(mark.points);
+    Parts parts(mark);
     std::vector<Mark> dashes;
     for (double at = -look.dash_start; at < length;)
         for (std::size_t k = 0; k < look.dashes.size(); at += look.dashes[k++]) {
             if (k % 2 || at >= length || at + look.dashes[k] <= 0.0) continue;
             // A dot is a dash that is next to nothing long.
             const double end = std::max(at + look.dashes[k], at + 0.01 * look.width);
-            Mark dash = part_of(mark, std::max(at, 0.0), std::min(end, length));
-            dash.is_dash = true;
+            Mark dash = parts.dash(std::max(at, 0.0), std::min(end, length));
             if (dash.points.size() > 1) dashes.push_back(std::move(dash));
         }
     return dashes;

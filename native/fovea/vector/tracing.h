@@ -18,7 +18,7 @@ class Tracing {
     Path path_of(const Mark& mark) const;
     /// What its line is, without a look and curves.
     Path owner_of(const Mark& mark) const;
-    /// The dashes of a mark, each a mark; itself if it has none.
+    /// The dashes of a mark, each a mark; itself if it has none, or so short ones that they are one line.
     std::vector<Mark> dashes_of(const Mark& mark) const;
 
     double tolerance() const { return tolerance_; }  ///< in units of the page
@@ -32,7 +32,7 @@ class Tracing {
     const Inking inking_;
     const Options& options_;
     const std::vector<Grain>& grains_;
-    double tolerance_, scale_;
+    double tolerance_, least_pattern_, scale_;
 };
 
 }  // namespace fovea::vector
