@@ -19,8 +19,7 @@ constexpr std::size_t most_triangles = 1 << 14;
 
 }  // namespace
 
-Ahead::Ahead(const style::Style& style, std::shared_ptr<const Cancel> cancel)
-    : sets_(line_sets_of(style, {})) {
+Ahead::Ahead(const style::Style& style, std::shared_ptr<const Cancel> cancel) : sets_(line_sets_of(style, {})) {
     ending_.caller = std::move(cancel);
 }
 
