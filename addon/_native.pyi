@@ -24,6 +24,9 @@ class Cancelled(RuntimeError):
 def limit_threads(most: int) -> None:
     """Most threads that work at once from now on; 0: as many as the machine has. Results never depend on it."""
 
+def release_memory() -> None:
+    """Returns memory that is kept for the arrays of the next pictures to the system, or to Blender's heap."""
+
 def content_hash(array: numpy.ndarray) -> int:
     """64-bit hash of an array's bytes."""
 

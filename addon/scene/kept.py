@@ -11,6 +11,8 @@ import itertools
 import weakref
 from dataclasses import dataclass
 
+from .. import native
+
 MEGABYTE = 1 << 20
 
 _caches = weakref.WeakSet()
@@ -63,9 +65,10 @@ def trim():
         return
     items = held()
     size = sum(item.size for item in items)
+    if size <= limit:
+        return
     for item in sorted(items, key=lambda item: item.used):
-        if size <= limit:
-            return
-        if item.let_go:
+        if size > limit and item.let_go:
             item.let_go()
             size -= item.size
+    native.load().release_memory()  # which arrays of what was evicted have left

@@ -2,6 +2,7 @@
 // Threads, cancellation, and hashes.
 #include <fovea/base/hash.h>
 #include <fovea/base/parallel.h>
+#include <fovea/base/release_memory.h>
 #include <fovea/base/threads.h>
 
 #include "bindings/arrays.h"
@@ -38,6 +39,8 @@ void bind_base(py::module_& m) {
     py::register_exception<Cancelled>(m, "Cancelled", PyExc_RuntimeError);
     m.def("limit_threads", &limit_threads, py::arg("most"),
           "Most threads that work at once from now on; 0: as many as the machine has. Results never depend on it.");
+    m.def("release_memory", &release_large_memory,
+          "Returns memory that is kept for the arrays of the next pictures to the system, or to Blender's heap.");
     m.def(
         "content_hash",
         [](const py::array& array) {

@@ -16,7 +16,7 @@ import numpy as np
 from pictures import box_scene, drawn
 from the_addon import new_mesh, new_object, part, use_style
 
-kept = part("scene.kept")
+kept, native = part("scene.kept"), part("native")
 
 
 def ball(name, place, around=140):
@@ -38,6 +38,7 @@ def megabytes():
 def settled():
     """MB that this process has once its allocators have given back what they can: Blender's on Linux is that of TBB."""
     gc.collect()
+    native.load().release_memory()
     ctypes.CDLL("libtbbmalloc.so.2").scalable_allocation_command(0, None)
     ctypes.CDLL("libc.so.6").malloc_trim(0)
     pages = int(Path("/proc/self/statm").read_text().split()[1])

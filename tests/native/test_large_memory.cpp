@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <gtest/gtest.h>
 
+#include <fovea/base/release_memory.h>
 #include <fovea/base/types.h>
 
 namespace fovea {
@@ -48,6 +49,16 @@ TEST(LargeMemory, FreedMemoryIsKeptForTheNextArrayUpToABound) {
         const Array<char> more_than_is_kept(keeps_large_memory + 1);
     }
     EXPECT_LE(large_memory_kept(), keeps_large_memory);
+}
+
+TEST(LargeMemory, KeptMemoryIsReleasedWhenAskedFor) {
+    if (keeps_large_memory == 0) GTEST_SKIP() << "sanitizers take all memory from the heap";
+    {
+        const Array<Index> values(many, 7);
+    }
+    EXPECT_GT(large_memory_kept(), 0u);
+    release_large_memory();
+    EXPECT_EQ(large_memory_kept(), 0u);
 }
 
 TEST(LargeMemory, AnArrayTooLargeForAnyMemoryThrows) {

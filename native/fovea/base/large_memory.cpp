@@ -10,6 +10,8 @@
 #include <mutex>
 #include <new>
 
+#include <fovea/base/release_memory.h>
+
 namespace fovea::base {
 
 namespace {
@@ -53,7 +55,7 @@ class Freed {
         shrink(keeps_large_memory);
     }
 
-    void clear() {
+    void clear() noexcept {
         const std::lock_guard lock(mutex_);
         shrink(0);
     }
@@ -107,6 +109,8 @@ void* allocate_large(std::size_t bytes) {
 }
 
 void free_large(void* memory, std::size_t bytes) noexcept { freed().give(memory, size_class(bytes)); }
+
+void release_large_memory() noexcept { freed().clear(); }
 
 std::size_t large_memory_kept() { return freed().kept(); }
 
