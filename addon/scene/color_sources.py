@@ -17,7 +17,7 @@ class ColorCache:
         self.refined = {}  # attributes of refined surfaces, see color_corners.py
         self.used = 0
         self.shown = weakref.WeakValueDictionary()  # id -> living ColorSources that use this cache
-        kept.add_cache(self)
+        kept.add_cache(self, core)
 
     def items(self, _needed):
         """The whole cache as one kept.Item, pinned while any ColorSources made with it are alive."""

@@ -11,11 +11,9 @@ import itertools
 import weakref
 from dataclasses import dataclass
 
-from .. import native
-
 MEGABYTE = 1 << 20
 
-_caches = weakref.WeakSet()
+_caches = weakref.WeakKeyDictionary()  # cache -> the native module
 _snapshots = weakref.WeakValueDictionary()  # id -> living Snapshot
 limit = 0  # bytes; 0: no limit
 _times = itertools.count(1)
@@ -42,10 +40,10 @@ def set_limit(megabytes):
     trim()
 
 
-def add_cache(cache):
-    """Registers a cache (weakly). It has a method items(needed) -> Items; `needed`: ids of surfaces in living
-    Snapshots."""
-    _caches.add(cache)
+def add_cache(cache, core):
+    """Registers a cache (weakly) of objects of `core`, the native module. It has a method items(needed) -> Items;
+    `needed`: ids of surfaces in living Snapshots."""
+    _caches[cache] = core
 
 
 def add_snapshot(snapshot):
@@ -71,4 +69,5 @@ def trim():
         if size > limit and item.let_go:
             item.let_go()
             size -= item.size
-    native.load().release_memory()  # which arrays of what was evicted have left
+    for core in set(_caches.values()):
+        core.release_memory()  # that arrays of what was evicted have left to it

@@ -47,7 +47,7 @@ class SurfaceCache:
         self.rebuilt = []  # surfaces built in this pass
         self.moved = []  # surfaces whose positions changed in this pass
         self.remarks = []  # sentences for the user about surfaces built in this pass
-        kept.add_cache(self)
+        kept.add_cache(self, core)
 
     def begin(self):
         """Starts a pass over a depsgraph."""
