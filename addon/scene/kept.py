@@ -13,7 +13,7 @@ from dataclasses import dataclass
 
 MEGABYTE = 1 << 20
 
-_caches = weakref.WeakKeyDictionary()  # cache -> the native module
+_caches = weakref.WeakKeyDictionary()  # cache -> release_memory of its native module
 _snapshots = weakref.WeakValueDictionary()  # id -> living Snapshot
 limit = 0  # bytes; 0: no limit
 _times = itertools.count(1)
@@ -43,7 +43,7 @@ def set_limit(megabytes):
 def add_cache(cache, core):
     """Registers a cache (weakly) of objects of `core`, the native module. It has a method items(needed) -> Items;
     `needed`: ids of surfaces in living Snapshots."""
-    _caches[cache] = core
+    _caches[cache] = core.release_memory
 
 
 def add_snapshot(snapshot):
@@ -69,5 +69,5 @@ def trim():
         if size > limit and item.let_go:
             item.let_go()
             size -= item.size
-    for core in set(_caches.values()):
-        core.release_memory()  # that arrays of what was evicted have left to it
+    for release in set(_caches.values()):
+        release()  # that arrays of what was evicted have left to it

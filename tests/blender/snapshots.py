@@ -47,6 +47,7 @@ RECORDING = SimpleNamespace(
     RefinedSurface=NATIVE.RefinedSurface,
     content_hash=NATIVE.content_hash,
     all_polygons_have=NATIVE.all_polygons_have,
+    release_memory=NATIVE.release_memory,
 )
 
 
