@@ -50,8 +50,8 @@ class Changes:
         shows = _shows(space)
         if self._scene is not None and not self._told and shows == self._space:
             return self._scene
-        style = properties.style_of(depsgraph.scene_eval)
-        needs = _needs(style, properties.density_map(depsgraph.scene_eval))
+        style = properties.style_drawn(depsgraph)
+        needs = _needs(style, properties.density_map(depsgraph))
         placements = instances.placements(depsgraph, space)
         found, version = self._scene and self._scene.gathered, self._scene.version if self._scene else 0
         if self._scene is None or self._must_read or (needs, placements) != (self._needs, self._placements):

@@ -7,29 +7,43 @@ Styles are separate datablocks: style_data.py.
 import bpy
 
 from ..focus import focus_settings
-from ..scene import own_lines, repair
+from ..scene import followed, own_lines, repair
 from ..scene.property_kinds import SHARE, choice, new_group, number, part, pointer, redraw, switch, text, whole_number
 from ..scene.shapes import SHAPES
 from ..style import style_data, style_read
 from . import gpu_context, methods
 
 
-def style_of(scene):
+def style_of(scene, styled=None):
     """The Style of a scene, with focus and mix applied; of an evaluated scene, with the animated values of its frame.
+    `styled`: the scene whose style it is, if that is another one.
 
     Creates no datablocks: scenes without a style draw the default one."""
-    tree, other = style_data.of(scene), scene.fovea.mixed_style
+    settings = (styled or scene).fovea
+    tree, other = style_data.of(styled or scene), settings.mixed_style
     chosen = style_read.read(tree) if tree else style_data.default()
-    if scene.fovea.mix > 0.0 and style_data.is_style(other):
-        chosen = chosen.mixed(style_read.read(other), scene.fovea.mix)
+    if settings.mix > 0.0 and style_data.is_style(other):
+        chosen = chosen.mixed(style_read.read(other), settings.mix)
     transparent = chosen.paper.transparent or scene.render.film_transparent
     paper = chosen.paper.replace(transparent=transparent)
     return chosen.replace(paper=paper, focus=focus_settings.focus_of(scene.fovea))
 
 
-def density_map(scene):
+def style_drawn(depsgraph):
+    """The Style that renders of a depsgraph's scene draw; without paper if they are lines over another scene's."""
+    chosen = style_of(followed.evaluated(depsgraph), _styled(depsgraph))
+    lies_over = followed.follows(depsgraph.scene)
+    return chosen.replace(paper=chosen.paper.replace(transparent=True)) if lies_over else chosen
+
+
+def _styled(depsgraph):
+    """The evaluated scene whose style a depsgraph's renders draw: one that follows another may have its own."""
+    return depsgraph.scene_eval if style_data.of(depsgraph.scene_eval) else followed.evaluated(depsgraph)
+
+
+def density_map(depsgraph):
     """The image that controls the density of lines in elision, or None."""
-    tree = style_data.of(scene)
+    tree = style_data.of(_styled(depsgraph))
     return tree.fovea.elision.density_image if tree else None
 
 
@@ -77,6 +91,7 @@ def _scene_group():
         "backend": choice("Device", "What draws the lines", items=BACKENDS, update=_backend_chosen),
         **methods.properties(),
         **focus_settings.annotations(),
+        "lines_of": pointer("Lines Of", "The scene over whose pictures this one draws lines", type=bpy.types.Scene),
     }
     return new_group("FoveaSceneSettings", "How a scene is drawn.", annotations)
 

@@ -44,7 +44,7 @@ class Reader:
             found = scene.gather(
                 depsgraph, cache, with_marks=with_marks, viewport=viewport, images=self.colors.images, **beside
             )
-            placed, told = scene.placed(core, found), noted.notes(properties.density_map(depsgraph.scene_eval), found)
+            placed, told = scene.placed(core, found), noted.notes(properties.density_map(depsgraph), found)
             sources = colors and colors.sources(depsgraph.scene, found.surface_of_placement)
         remarks = (*cache.remarks, *(colors.remarks() if colors else ()))
         seconds = time.perf_counter() - start

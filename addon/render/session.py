@@ -14,7 +14,7 @@ from functools import partial
 import numpy as np
 
 from .. import native, pipeline, style
-from ..scene import camera, kept, scene, surfaces
+from ..scene import camera, followed, kept, scene, surfaces
 from ..scene.operator import TOLD
 from ..scene.problem import CannotDraw
 from ..style import freestyle
@@ -41,7 +41,7 @@ def last_statistics():
 
 def wanted_passes(scene_, layer):
     """{name of a pass: whether renders of a view layer have it}."""
-    chosen = _style_of(scene_)
+    chosen = None if followed.follows(scene_) else _style_of(scene_)
     return {
         "Lines": True,
         "Color": bool(chosen and chosen.has_color()),
@@ -100,7 +100,7 @@ def gather(engine, depsgraph, chosen, viewport=None, with_colors=True, cancel=No
     if depsgraph.mode not in readers:
         readers[depsgraph.mode] = reading.Reader(refit=depsgraph.mode == "VIEWPORT")
     found = readers[depsgraph.mode].read(depsgraph, chosen, viewport, with_colors, cancel)
-    if not found.snapshot.surfaces and not scene.has_anything(depsgraph.scene):
+    if not found.snapshot.surfaces and not scene.has_anything(followed.of(depsgraph.scene)):
         raise CannotDraw("The scene is empty: there is nothing that has lines")
     report_skipped(engine, found.built, found.remarks)
     report_once(engine, style.remark(chosen))
@@ -127,9 +127,10 @@ def final(engine, depsgraph, make=draw, *, lines_alone=False, tell=None):
     None if the user canceled it. `make`: called with the arguments of `draw`. `lines_alone`: without colors and without
     the focus and depth passes. `tell(share, stage)` receives the progress; None: Blender's progress bar does."""
     view, tell = camera.of_render(engine, depsgraph), tell or partial(_progress, engine)
-    core, settings, chosen = native.load(), depsgraph.scene.fovea, properties.style_of(depsgraph.scene_eval)
+    core, settings, chosen = native.load(), followed.of(depsgraph.scene).fovea, properties.style_drawn(depsgraph)
     backend, visibility = methods.choose(engine, settings, in_viewport=False)
     report_once(engine, engine.note)
+    lines_alone = lines_alone or followed.follows(depsgraph.scene)
     asked = {} if lines_alone else {"with_depth": depsgraph.view_layer.use_pass_z, "with_focus": True}
     options = pipeline.options(visibility=visibility, **asked, **methods.quality(settings))
     cancel = core.Cancel()
@@ -154,7 +155,7 @@ def lines_near(engine, depsgraph, chosen, backend, options, cancel=None):
 
 def _shown_lines(engine, depsgraph, backend, options, cancel):
     """ShownLines of the frame that a final render's depsgraph is evaluated at; None if nothing is elided there."""
-    chosen = properties.style_of(depsgraph.scene_eval)  # the evaluated scene has the animated values of that frame
+    chosen = properties.style_drawn(depsgraph)  # the evaluated scene has the animated values of that frame
     found = gather(engine, depsgraph, chosen, with_colors=False, cancel=cancel)
     seen = scene.seen(native.load(), camera.of_render(engine, depsgraph))
 

@@ -7,6 +7,7 @@ spot light's has the width of its cone)."""
 import numpy as np
 
 from ..stages import REFERENCE_HEIGHT, View
+from . import followed
 from .problem import CannotDraw
 
 FARTHEST = 1e29  # largest coordinate of a camera
@@ -22,8 +23,8 @@ def of_render(engine, depsgraph):
 
 def of_scene(depsgraph, camera=None):
     """The View of a final render from `camera`; None: the scene's."""
-    render = depsgraph.scene.render
-    camera = _checked(camera or depsgraph.scene.camera).evaluated_get(depsgraph)
+    render = followed.of(depsgraph.scene).render
+    camera = _checked(camera or followed.camera(depsgraph.scene)).evaluated_get(depsgraph)
     size = (render.resolution_x, render.resolution_y)
     width, height = (side * render.resolution_percentage // 100 for side in size)
     return _of_frame(camera, camera.matrix_world.normalized(), depsgraph, width, height)
@@ -32,7 +33,7 @@ def of_scene(depsgraph, camera=None):
 def _of_frame(camera, camera_to_world, depsgraph, width, height):
     near, far = _clip_distances(camera, OBJECT_CLIP)
     full = _projection(camera, depsgraph, width, height)
-    left, bottom, right, top = _border(depsgraph.scene.render, width, height)
+    left, bottom, right, top = _border(followed.of(depsgraph.scene).render, width, height)
     return View(
         world_to_view=_world_to_view(camera, camera_to_world),
         view_to_clip=_crop(width, height, left, bottom, right, top) @ full,
@@ -48,6 +49,8 @@ def _of_frame(camera, camera_to_world, depsgraph, width, height):
 
 def chosen(engine, depsgraph):
     """The camera object of a final render."""
+    if followed.follows(depsgraph.scene):
+        return _checked(followed.camera(depsgraph.scene))
     return _checked(engine.camera_override or depsgraph.scene.camera)
 
 
@@ -97,7 +100,7 @@ def _checked(camera):
 
 def _projection(camera, depsgraph, width, height):
     """(4, 4) view-to-clip matrix of the full frame of width x height pixels. CannotDraw if it is degenerate."""
-    render = depsgraph.scene.render
+    render = followed.of(depsgraph.scene).render
     aspect = {"scale_x": render.pixel_aspect_x, "scale_y": render.pixel_aspect_y}
     found = np.array(camera.calc_matrix_camera(depsgraph, x=width, y=height, **aspect), np.float64)
     if not (np.isfinite(found).all() and found[0, 0] and found[1, 1]):

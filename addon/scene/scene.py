@@ -8,7 +8,7 @@ import bpy
 import numpy as np
 
 from .. import native
-from . import bare_shapes, cut_outs, detail, instances, kept, materials, own_lines, repair, shapes, subdivision
+from . import bare_shapes, cut_outs, detail, followed, instances, kept, materials, own_lines, repair, shapes, subdivision
 from .mesh_arrays import is_edited
 from .snapshot import Origin, Snapshot
 
@@ -26,7 +26,7 @@ class _Gathering:
         self.beside, self.sizes, self.ahead = beside, sizes, ahead
         self.opacities = images and cut_outs.Opacities(images)
         self.cache, self.with_marks = cache, with_marks
-        self.depsgraph, self.layer, self.viewport = depsgraph, depsgraph.view_layer_eval, viewport
+        self.depsgraph, self.layer, self.viewport = depsgraph, followed.view_layer(depsgraph), viewport
         self.surfaces, self.slots = [], []
         self.known_materials, self.known_names, self.index_of = {}, {}, {}
         self.known_own, self.known_guides, self.left_out = {}, None, {}
@@ -61,7 +61,7 @@ class _Gathering:
         # Objects that Blender converts to meshes appear twice: with their own data, and with the mesh, if it has faces.
         elif obj.type in bare_shapes.CURVES:
             self.add_wire(instance, usage)
-        elif shape := bare_shapes.of_data(obj, self.depsgraph.scene):
+        elif shape := bare_shapes.of_data(obj, followed.of(self.depsgraph.scene)):
             self.add_shape(shape, instance, usage)
 
     def usage(self, instance):
@@ -174,7 +174,7 @@ class _Gathering:
         obj = instance.object
         mesh = obj.to_mesh()
         if self.known_guides is None:
-            self.known_guides = bare_shapes.guides(self.depsgraph.scene.objects)
+            self.known_guides = bare_shapes.guides(followed.of(self.depsgraph.scene).objects)
         if mesh is None:
             self.left_out[obj.name] = bare_shapes.NODE_CURVES
         elif len(mesh.polygons):
