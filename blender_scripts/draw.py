@@ -17,6 +17,7 @@ sys.path.insert(0, str(Path(__file__).parent))
 import ending
 import frame_dump
 import framing
+import over
 import picture
 import scenes
 import sheet
@@ -32,6 +33,8 @@ def main(words):
     set_camera(scene, options)
     set_drawing(scene, options)
     set_output(scene, options)
+    if options.over:
+        over.set_up(scene, options)
     if freestyle.is_on(scene):
         ending.note(freestyle.OVER)
     if options.sheet:

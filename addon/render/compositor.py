@@ -14,10 +14,26 @@ def tree(scene):
     return scene.node_tree if scene.use_nodes else None
 
 
+def is_off(scene):
+    """Whether a scene has a tree that would change its picture if it were on."""
+    if GROUPS or scene.use_nodes or scene.node_tree is None:
+        return False
+    out = output(scene.node_tree)
+    source = out.links[0].from_node if out and out.is_linked else None
+    return source is None or source.type != "R_LAYERS" or source.scene not in (None, scene)
+
+
 def make_tree(scene):
-    """The node tree that composites a scene's renders: where there is none a new one, which shows them as they are."""
-    if found := tree(scene):
+    """The node tree that composites a scene's renders and no other scene's: where there is none a new one, which shows
+    them as they are."""
+    found = tree(scene)
+    if found and GROUPS and _scenes_with(found) > 1:
+        found = scene.compositing_node_group = found.copy()
+    if found:
         return found
+    if not GROUPS and scene.node_tree:
+        scene.use_nodes = True
+        return scene.node_tree
     if GROUPS:
         made = bpy.data.node_groups.new(f"{scene.name} Compositing", "CompositorNodeTree")
         made.interface.new_socket("Image", in_out="OUTPUT", socket_type="NodeSocketColor")
@@ -30,6 +46,19 @@ def make_tree(scene):
     photo.location, out.location = (-300, 0), (300, 0)
     made.links.new(out.inputs[0], photo.outputs["Image"])
     return made
+
+
+def remove_tree(scene):
+    """Renders of the scene are not composited any more."""
+    if GROUPS:
+        bpy.data.node_groups.remove(scene.compositing_node_group)
+    else:
+        scene.node_tree.nodes.clear()
+        scene.use_nodes = False
+
+
+def _scenes_with(tree):
+    return sum(scene.compositing_node_group == tree for scene in bpy.data.scenes)
 
 
 def output(tree):

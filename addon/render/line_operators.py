@@ -8,7 +8,7 @@ import bpy
 import numpy as np
 
 from .. import native, pipeline
-from ..scene import camera, pencils
+from ..scene import camera, followed, pencils
 from ..scene.operator import Operator
 from ..scene.problem import CannotDraw
 from . import as_rendered, baking, drawn_lines, properties, reading, session
@@ -23,6 +23,8 @@ class OfRender(Operator):
     def hindrance(cls, context):
         if problem := native.problem():
             return problem
+        if context.scene and followed.follows(context.scene):
+            return f"This scene draws the lines of '{followed.of(context.scene).name}': go to that one"
         if context.scene is None or context.scene.camera is None:
             return "The scene has no camera: add one, or make one the scene's active camera"
         fits = context.mode in {"OBJECT", "POSE"}

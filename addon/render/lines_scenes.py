@@ -33,7 +33,8 @@ def out_of_step(lines):
     scene = lines.fovea.lines_of
     wanted = {(lines.render, name): getattr(scene.render, name) for name in OF_RENDER}
     wanted |= {(lines.render, name): value for name, value in FIXED.items()}
-    wanted |= {(lines, "camera"): scene.camera, (lines, "background_set"): scene, (lines.view_layers[0], "use"): True}
+    wanted |= {(lines, "background_set"): scene, (lines.view_layers[0], "use"): True}
+    wanted |= {} if lines.camera else {(lines, "camera"): scene.camera}  # Blender asks for any
     return {place: value for place, value in wanted.items() if getattr(*place) != value}
 
 

@@ -12,6 +12,7 @@ from . import model_files, output, quantities
 PICTURES = (".png", ".exr")
 VECTORS = (".svg", ".pdf", ".dxf")
 SHEETS = ("page", "pixels", "a0", "a1", "a2", "a3", "a4", "a5", "letter")
+ENGINES = ("cycles", "eevee", "workbench")  # of Blender, over whose renders lines can be drawn
 TILE = (480, 360)  # pixels of a tile of a sheet
 # Defaults for the demo scene if neither style, lines nor focus is given: its door in focus.
 DEMO = {"style": "watercolor", "focus": (0.474, 0.6), "focus_radii": (0.12, 0.75)}
@@ -109,6 +110,11 @@ def _parser():
     add("--uniform", choices=("lines", "colors", "both"), help="what is the same all over, wherever one looks")
     add("--without", choices=("lines", "colors"), help="what is not drawn")
     add("--elision", action=argparse.BooleanOptionalAction, help="thin lines that crowd each other")
+    add("--over", choices=ENGINES, help="draw lines over what this engine renders")
+    add("--blend", choices=("over", "multiply"), help="how lines lie over it (over)")
+    share = quantities.within(0, 1, "1")
+    add("--opacity", type=share, metavar="0..1", help="of lines over it (1)")
+    add("--samples", type=quantities.within(1, 100_000, "samples"), metavar="N", help="of that engine, to a pixel")
     add("--sheet", action="store_true", help="a contact sheet: each definition of --lines in a tile by itself")
     add("--transparent", action="store_true", help="no paper")
     _add_vectors(add)
@@ -167,6 +173,7 @@ def _check(options):
         kinds = f"a picture is {' or '.join(PICTURES)}, vectors are {' or '.join(VECTORS)}"
         raise ValueError(f"{kinds}, not {options.output.name}")
     _check_vectors(options)
+    _check_over(options)
     if options.sheet:
         _check_sheet(options)
     if options.cameras and (options.azimuth is not None or options.elevation is not None):
@@ -176,6 +183,14 @@ def _check(options):
     if options.dump and options.dump.suffix != ".npz":
         raise ValueError(f"a dump is a .npz, not {options.dump.name}")
     output.check(*pictures(options), *dumps(options))
+
+
+def _check_over(options):
+    for name in ("blend", "opacity", "samples"):
+        if getattr(options, name) is not None and not options.over:
+            raise ValueError(f"--{name} is for lines over renders: name the engine, as --over cycles")
+    if options.over and (options.sheet or options.output.suffix in VECTORS):
+        raise ValueError(f"--over {options.over} draws a picture: leave out --sheet, and name a {' or '.join(PICTURES)}")
 
 
 def _check_sheet(options):

@@ -1,0 +1,65 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Lines over the render of another engine, for `fovea draw --over`: the engine, its samples, and light where a scene has
+none."""
+
+import addon_utils
+import bpy
+from bl_ext.user_default.fovea.render import lines_over
+from command import model_files
+from scenes import stage
+
+ENGINES = {  # --over -> the engine's name in Blender, the first of them that there is
+    "cycles": ("CYCLES",),
+    "eevee": ("BLENDER_EEVEE", "BLENDER_EEVEE_NEXT"),  # the latter up to 4.5
+    "workbench": ("BLENDER_WORKBENCH",),
+}
+SAMPLES = {"cycles": 32, "eevee": 16}  # to a pixel, of what is no Blender file
+SKY = (0.55, 0.6, 0.65)  # of the world of what is no Blender file, scene-linear
+
+
+def set_up(scene, options):
+    """Renders of the scene are the engine's, with lines over them. ValueError if this Blender has no such engine."""
+    set_engine(scene, options.over)
+    if not model_files.is_blend(options.scene):
+        light(scene)
+    set_samples(scene, options)
+    lines_over.put(scene)
+    node = lines_over.node(scene, lines_over.OVER)
+    if options.blend:
+        node.inputs["Multiply"].default_value = float(options.blend == "multiply")
+    if options.opacity is not None:
+        node.inputs["Opacity"].default_value = options.opacity
+
+
+def set_engine(scene, name):
+    if name == "cycles":
+        addon_utils.enable("cycles")
+    for engine in ENGINES[name]:
+        try:
+            scene.render.engine = engine
+            return
+        except TypeError:  # no such item
+            pass
+    raise ValueError(f"--over {name}: this Blender has no such engine")
+
+
+def light(scene):
+    """A sky, and a sun unless there is a light."""
+    scene.world = scene.world or bpy.data.worlds.new("World")
+    scene.world.color = SKY
+    if scene.world.node_tree is None:
+        scene.world.use_nodes = True
+    if background := scene.world.node_tree.nodes.get("Background"):
+        background.inputs["Color"].default_value = (*SKY, 1.0)
+    if not any(obj.type == "LIGHT" for obj in scene.objects):
+        stage.sun(-60, 50)
+
+
+def set_samples(scene, options):
+    """Those of --samples; else those of a Blender file, or few where it is none."""
+    keeps = model_files.is_blend(options.scene)
+    samples = int(options.samples) if options.samples else None if keeps else SAMPLES.get(options.over)
+    if samples and options.over == "cycles":
+        scene.cycles.device, scene.cycles.samples = "CPU", samples
+    if samples and options.over == "eevee":
+        scene.eevee.taa_render_samples = samples
