@@ -14,7 +14,7 @@ ENGINES = {  # --over -> the engine's name in Blender, the first of them that th
     "workbench": ("BLENDER_WORKBENCH",),
 }
 SAMPLES = {"cycles": 32, "eevee": 16}  # to a pixel, of what is no Blender file
-SKY = (0.55, 0.6, 0.65)  # of the world of what is no Blender file, scene-linear
+SKY = (0.3, 0.33, 0.37)  # of the world of what is no Blender file, scene-linear
 
 
 def set_up(scene, options):

@@ -24,6 +24,17 @@ def is_on(scene):
     return lines_scenes.of(scene) is not None or node(scene, OVER) is not None
 
 
+def blend(settings):
+    """Index of the blend mode of the lines over the renders of a scene: 0 over, 1 multiply. `settings`: the scene's."""
+    over = node(settings.id_data, OVER)
+    return int(over is not None and over.inputs["Multiply"].default_value > 0.5)
+
+
+def set_blend(settings, index):
+    if over := node(settings.id_data, OVER):
+        over.inputs["Multiply"].default_value = float(index)
+
+
 def put(scene):
     """Lays lines over a scene's renders, or repairs what does. CannotDraw if that cannot be."""
     tree = _own_tree(scene)

@@ -11,7 +11,7 @@ from ..scene import followed, own_lines, repair
 from ..scene.property_kinds import SHARE, choice, new_group, number, part, pointer, redraw, switch, text, whole_number
 from ..scene.shapes import SHAPES
 from ..style import style_data, style_read
-from . import gpu_context, methods
+from . import gpu_context, lines_over, methods
 
 
 def style_of(scene, styled=None):
@@ -58,6 +58,10 @@ BACKENDS = [
     ("CPU", "CPU", "The same picture on every machine"),
     ("GPU", "GPU", "OpenGL through Blender, in software where there is no hardware"),
 ]
+BLENDS = [
+    ("OVER", "Over", "Lines have the colors of their pens"),
+    ("MULTIPLY", "Multiply", "Lines darken the picture, as pencils do"),
+]
 USAGES = [
     ("BOTH", "Include", "Has lines and hides what lies behind"),
     ("OCCLUDE", "Occlusion Only", "Hides what lies behind, has no lines"),
@@ -83,6 +87,7 @@ OCCLUSIONS = [
 
 def _scene_group():
     of_style = {"type": bpy.types.NodeTree, "poll": lambda _settings, tree: style_data.is_style(tree)}
+    lies = "How lines lie over what another engine renders"
     told = "Another style, into which the drawing may go over: lines of both go from pen to pen, others fade"
     annotations = {
         "style": pointer("Style", "How the lines look and what lies under them; none: the default style", **of_style),
@@ -91,6 +96,7 @@ def _scene_group():
         "backend": choice("Device", "What draws the lines", items=BACKENDS, update=_backend_chosen),
         **methods.properties(),
         **focus_settings.annotations(),
+        "lines_blend": choice("Blend", lies, items=BLENDS, get=lines_over.blend, set=lines_over.set_blend),
         "lines_of": pointer("Lines Of", "The scene over whose pictures this one draws lines", type=bpy.types.Scene),
     }
     return new_group("FoveaSceneSettings", "How a scene is drawn.", annotations)

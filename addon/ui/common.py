@@ -4,6 +4,7 @@
 import re
 
 from .. import style
+from ..scene import followed
 from ..style import style_curves, style_data, style_groups
 
 ENGINE = "FOVEA"
@@ -37,7 +38,12 @@ class FoveaPanel:
 
     @classmethod
     def poll(cls, context):
-        return context.engine in cls.COMPAT_ENGINES
+        return cls.fits(context)
+
+    @classmethod
+    def fits(cls, context):
+        """Whether the panel is for the context's engine and scene."""
+        return context.engine in cls.COMPAT_ENGINES and not followed.follows(context.scene)
 
     def draw(self, context):
         self.layout.use_property_split = True

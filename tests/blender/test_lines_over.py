@@ -1,0 +1,289 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Lines over photographs: they lie on the outlines of what another engine renders, in every way to render."""
+
+import subprocess
+
+import bpy
+import numpy as np
+import pytest
+from photographs import ENGINES, SIZE, edge, lines_over, middle, outlines, parts, photograph, profile, with_lines
+from pictures import drawn, pixels_of
+from the_addon import box_mesh, fovea, new_object, part
+
+lines_scenes, check = part("render.lines_scenes"), part("render.lines_over_check")
+NEAR = 0.5  # pixels that a line may be off
+
+
+@pytest.fixture(params=ENGINES)
+def scene(request):
+    return photograph(request.param)
+
+
+@pytest.fixture
+def cycles():
+    return photograph("CYCLES")
+
+
+def test_lines_and_photograph_lie_where_the_closed_form_has_the_outlines(scene, tmp_path):
+    photo, _ = parts(drawn(scene, tmp_path / "photo.png"))
+    assert bpy.ops.fovea.lines_over() == {"FINISHED"}
+    lines = with_lines(scene, tmp_path / "both.png")
+    known = list(outlines())
+    off = [edge(profile(photo, kind, i), at, before) - at for kind, i, at, before in known]
+    lines_off = [middle(profile(lines, kind, i), at) - at for kind, i, at, _ in known]
+    assert len(known) > 150 and np.abs(off).max() < NEAR and np.abs(lines_off).max() < NEAR
+    assert np.abs(np.subtract(off, lines_off)).max() < NEAR
+
+
+def both(scene, path):
+    """The picture of the scene with lines."""
+    bpy.ops.fovea.lines_over()
+    return drawn(scene, path)
+
+
+def test_a_still_a_frame_of_the_command_line_and_of_an_animation_are_the_same_picture(cycles, tmp_path):
+    still = both(cycles, tmp_path / "still.png")
+    cycles.frame_start = cycles.frame_end = cycles.frame_current
+    cycles.render.filepath = str(tmp_path / "animation_####")
+    bpy.ops.render.render(animation=True)
+    bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "scene.blend"))
+    in_another_blender(tmp_path / "scene.blend", tmp_path / "frame_####")
+    for name in ("animation_0001.png", "frame_0001.png"):
+        assert np.abs(pixels_of(tmp_path / name) - still).max() < 0.01
+
+
+def in_another_blender(file, output, addons=fovea.__name__):
+    """Renders frame 1 of a file; what Blender prints."""
+    command = [bpy.app.binary_path, "-b", "--factory-startup", "--addons", addons, str(file)]
+    command += ["-o", str(output), "-F", "PNG", "-f", "1"]
+    return subprocess.run(command, capture_output=True, text=True, errors="replace", check=True).stdout
+
+
+def test_without_the_extension_the_photograph_is_intact(cycles, tmp_path):
+    photo = drawn(cycles, tmp_path / "photo.png")
+    bpy.ops.fovea.lines_over()
+    bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "scene.blend"))
+    in_another_blender(tmp_path / "scene.blend", tmp_path / "frame_####", addons="cycles")
+    assert np.abs(pixels_of(tmp_path / "frame_0001.png") - photo).max() < 0.01
+
+
+def counts():
+    trees = sum(len(tree.nodes) for tree in bpy.data.node_groups if tree.bl_idname == "CompositorNodeTree")
+    tree = getattr(bpy.context.scene, "node_tree", None)
+    return len(bpy.data.scenes), trees, len(tree.nodes) if tree else 0
+
+
+def test_removing_leaves_what_was_there_before(scene, tmp_path):
+    photo, before = drawn(scene, tmp_path / "photo.png"), counts()
+    bpy.ops.fovea.lines_over()
+    assert counts() != before and lines_over.is_on(scene)
+    assert bpy.ops.fovea.lines_over_remove() == {"FINISHED"}
+    assert counts() == before and not lines_over.is_on(scene)
+    assert np.array_equal(drawn(scene, tmp_path / "again.png"), photo)
+
+
+def test_one_step_of_undo_takes_the_lines_away(cycles):
+    before = counts()
+    bpy.ops.ed.undo_push(message="before")
+    bpy.ops.fovea.lines_over()
+    bpy.ops.ed.undo_push(message="lines")
+    bpy.ops.ed.undo()
+    assert counts() == before and not lines_over.is_on(bpy.context.scene)
+    bpy.ops.ed.redo()
+    assert lines_over.is_on(bpy.context.scene) and list(check.problems(bpy.context.scene)) == []
+
+
+def a_border(scene):
+    render = scene.render
+    render.use_border = True
+    render.border_min_x, render.border_max_x, render.border_min_y, render.border_max_y = 0.2, 0.55, 0.1, 0.9
+
+
+def a_cropped_border(scene):
+    a_border(scene)
+    scene.render.use_crop_to_border = True
+
+
+def another_size(scene):
+    scene.render.resolution_x, scene.render.resolution_y, scene.render.resolution_percentage = 240, 130, 80
+
+
+def a_camera_of_a_marker(scene):
+    other = scene.camera.copy()
+    other.data = other.data.copy()
+    other.data.lens, other.location.x = 40, 0.5
+    scene.collection.objects.link(other)
+    scene.timeline_markers.new("first", frame=-5).camera = scene.camera
+    scene.timeline_markers.new("other", frame=1).camera = other
+
+
+def a_keyed_camera(scene):
+    scene.camera.keyframe_insert("location", frame=1)
+    scene.camera.location.x = 2
+    scene.camera.keyframe_insert("location", frame=5)
+    scene.frame_set(3)
+
+
+def a_later_object(scene):
+    new_object(box_mesh(0.4), "Later", (0, -1, 1.4)).data.materials.append(bpy.data.materials["White"])
+
+
+def an_excluded_collection(scene):
+    hidden = bpy.data.collections.new("Hidden")
+    scene.collection.children.link(hidden)
+    new_object(box_mesh(0.4), "Later", (0, -1, 1.4), hidden)
+    scene.view_layers[0].layer_collection.children["Hidden"].exclude = True
+
+
+def stretched_pixels(scene):
+    scene.render.pixel_aspect_x = 1.5
+
+
+def a_shifted_lens(scene):
+    scene.camera.data.shift_x, scene.camera.data.type = 0.1, "ORTHO"
+    scene.camera.data.ortho_scale = 7
+
+
+CHANGES = (
+    *(a_border, a_cropped_border, another_size, a_camera_of_a_marker, a_keyed_camera, a_later_object),
+    *(an_excluded_collection, stretched_pixels, a_shifted_lens),
+)
+
+
+@pytest.mark.parametrize("change", CHANGES, ids=lambda change: change.__name__)
+def test_lines_follow_what_changes_after_the_click(cycles, tmp_path, change):
+    """They are those of a render by Fovea itself."""
+    cycles.cycles.samples = 4
+    bpy.ops.fovea.lines_over()
+    change(cycles)
+    alpha = with_lines(cycles, tmp_path / "both.png")
+    bpy.ops.fovea.lines_over_remove()
+    cycles.render.engine, cycles.render.film_transparent = "FOVEA", True
+    own = drawn(cycles, tmp_path / "own.png")[..., 3]
+    assert alpha.shape == own.shape and own.sum() > 20
+    assert np.abs(alpha - own).max() < 0.02
+
+
+def test_opacity_and_blend_can_be_keyed(cycles, tmp_path):
+    part("style.style_data").of(cycles).fovea.line_sets[-1].pen.color = (0.25, 0, 0)
+    cycles.cycles.samples = 4
+    full = both(cycles, tmp_path / "full.png")
+    node = lines_over.node(cycles, lines_over.OVER)
+    photo = drawn_without(cycles, node, tmp_path / "photo.png")
+    opacity = node.inputs["Opacity"]
+    for frame, value in ((1, 1.0), (11, 0.0)):
+        opacity.default_value = value
+        opacity.keyframe_insert("default_value", frame=frame)
+    cycles.frame_set(6)
+    half = drawn(cycles, tmp_path / "half.png")
+    assert np.abs(half - (full + photo) / 2).max() < 0.02 < np.abs(full - photo).max()
+    cycles.frame_set(1)
+    assert np.abs(drawn(cycles, tmp_path / "again.png") - full).max() < 0.01
+    assert cycles.fovea.lines_blend == "OVER"
+    cycles.fovea.lines_blend = "MULTIPLY"
+    darker = drawn(cycles, tmp_path / "multiplied.png")[..., :3]
+    coverage = (photo - full)[..., 1]  # of lines on white
+    white = photo[..., 1] > 0.999
+    assert white.sum() > 1000 and np.abs(darker - full[..., :3])[white].max() < 0.02
+    black = photo[..., :3].max(axis=2) == 0
+    assert np.abs(darker[black]).max() < 0.01 < full[..., 0][black].max() and coverage.max() > 0.9
+
+
+def drawn_without(scene, node, path):
+    node.mute = True
+    picture = drawn(scene, path)
+    node.mute = False
+    return picture
+
+
+def test_the_nodes_of_an_own_compositor_stay_and_get_lines_over_their_picture(cycles, tmp_path):
+    compositor = part("render.compositor")
+    tree = compositor.make_tree(cycles)
+    out = compositor.output(tree)
+    gone = compositor.alpha_over(tree, out.links[0].from_socket, (0.0, 0.0, 1.0, 1.0), 0.5)
+    tree.links.new(out, gone)
+    names = {node.name for node in tree.nodes}
+    blue = drawn(cycles, tmp_path / "blue.png")
+    picture = both(cycles, tmp_path / "both.png")
+    assert blue[0, 0, 2] > 0.45 and picture[0, 0, 2] > 0.45 and parts(picture)[1].max() > 0.9
+    bpy.ops.fovea.lines_over_remove()
+    assert {node.name for node in tree.nodes} == names
+    assert np.abs(drawn(cycles, tmp_path / "again.png") - blue).max() < 0.01
+
+
+def mute_the_nodes(scene):
+    lines_over.node(scene, lines_over.OVER).mute = True
+
+
+def remove_the_lines(scene):
+    bpy.data.scenes.remove(lines_scenes.of(scene))
+
+
+def remove_a_node(scene):
+    part("render.compositor").tree(scene).nodes.remove(lines_over.node(scene, lines_over.LINES))
+
+
+def unlink_the_lines(scene):
+    tree, node = part("render.compositor").tree(scene), lines_over.node(scene, lines_over.OVER)
+    tree.links.remove(node.inputs["Lines"].links[0])
+
+
+def turn_compositing_off(scene):
+    scene.render.use_compositing = False
+
+
+def render_a_single_layer(scene):
+    scene.render.use_single_layer = True
+
+
+TROUBLES = (
+    *(mute_the_nodes, remove_the_lines, remove_a_node, unlink_the_lines, turn_compositing_off, render_a_single_layer),
+)
+
+
+@pytest.mark.parametrize("trouble", TROUBLES, ids=lambda trouble: trouble.__name__)
+def test_what_keeps_lines_away_is_told_as_a_render_begins_and_repaired(cycles, tmp_path, capfd, trouble):
+    cycles.cycles.samples = 1
+    bpy.ops.fovea.lines_over()
+    assert list(check.problems(cycles)) == []
+    trouble(cycles)
+    drawn(cycles, tmp_path / "without.png")
+    assert "Fovea draws no lines over 'Scene'" in capfd.readouterr().out
+    assert bpy.ops.fovea.lines_over_repair() == {"FINISHED"} and list(check.problems(cycles)) == []
+    assert with_lines(cycles, tmp_path / "both.png").max() > 0.9
+
+
+def test_lines_stay_after_the_file_is_reloaded_and_the_scene_renamed(cycles, tmp_path):
+    before = both(cycles, tmp_path / "before.png")
+    bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "scene.blend"))
+    bpy.ops.wm.open_mainfile(filepath=str(tmp_path / "scene.blend"))
+    scene = bpy.context.scene
+    scene.name = "Renamed"
+    assert list(check.problems(scene)) == []
+    assert np.abs(drawn(scene, tmp_path / "after.png") - before).max() < 0.01
+
+
+def test_a_keyed_style_and_focus_of_the_scene_are_those_of_the_frame(cycles, tmp_path):
+    cycles.cycles.samples = 1
+    pen = part("style.style_data").of(cycles).fovea.line_sets[-1].pen
+    width = pen.width
+    for frame, value in ((1, width), (3, 3 * width)):
+        pen.width = value
+        pen.keyframe_insert("width", frame=frame)
+    bpy.ops.fovea.lines_over()
+    covered = []
+    for frame in (1, 3):
+        cycles.frame_set(frame)
+        covered.append(with_lines(cycles, tmp_path / f"{frame}.png").sum())
+    assert 2 < covered[1] / covered[0] < 4
+
+
+def test_a_compositor_that_several_scenes_share_is_copied(cycles):
+    compositor = part("render.compositor")
+    if not compositor.GROUPS:
+        pytest.skip("scenes have compositors of their own in this Blender")
+    tree, other = compositor.make_tree(cycles), bpy.data.scenes.new("Other")
+    other.compositing_node_group = tree
+    bpy.ops.fovea.lines_over()
+    assert other.compositing_node_group == tree and lines_over.node(other, lines_over.OVER) is None
+    assert lines_over.node(cycles, lines_over.OVER) is not None
