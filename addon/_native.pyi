@@ -1243,6 +1243,25 @@ class Light:
         cos_inner: float=-1.0,
     ) -> None: ...
 
+class StoredPng:
+    """The pixels of a PNG file as it stores them."""
+    @property
+    def width(self) -> int: ...
+    @property
+    def height(self) -> int: ...
+    @property
+    def channels(self) -> int:
+        """of a palette: 1, its entry"""
+    @property
+    def bits(self) -> int:
+        """of a value: 1, 2, 4, 8 or 16"""
+    @property
+    def values(self) -> bytes:
+        """Rows from the top, each begins with a byte; of 16 bits the higher byte is first."""
+
+def stored_png(file: bytes) -> StoredPng:
+    """The pixels of a PNG file, of all of its bytes. ValueError if it is broken."""
+
 def png_bytes(rgb: Annotated[ArrayLike, numpy.uint8]) -> bytes:
     """The bytes of a PNG file of (height, width, 3) uint8 sRGB, bottom row first."""
 

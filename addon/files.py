@@ -22,18 +22,36 @@ def written(path, is_whole=Path.is_file):
     place = Path(path).resolve()
     fresh = place.with_name(f".{secrets.token_hex(8)}{place.suffix}")
     try:
-        yield fresh
-        if not is_whole(fresh):
-            raise OSError
-        with fresh.open("rb+") as file:
-            os.fsync(file.fileno())  # a full disk may be told only now
-        fresh.replace(place)
-    except (OSError, RuntimeError) as error:
-        reason = getattr(error, "strerror", None) or _hindrance(fresh)
-        raise NotWritten(f"{path} could not be written ({reason}): make room, or name another place") from error
+        with _told(path, fresh):
+            yield fresh
+            _move(fresh, place, is_whole)
     finally:
         with suppress(OSError):  # a folder that has become read-only says so even of a file that is not there
             fresh.unlink(missing_ok=True)
+
+
+def move(fresh, place, is_whole):
+    """Moves a file that is written to its place in the same file system, as `written` does at its end."""
+    with _told(place, fresh):
+        _move(fresh, place, is_whole)
+
+
+def _move(fresh, place, is_whole):
+    if not is_whole(fresh):
+        raise OSError
+    with fresh.open("rb+") as file:
+        os.fsync(file.fileno())  # a full disk may be told only now
+    fresh.replace(place)
+
+
+@contextmanager
+def _told(path, fresh):
+    """Context that raises NotWritten, about `path`, for errors of writing `fresh`."""
+    try:
+        yield
+    except (OSError, RuntimeError) as error:
+        reason = getattr(error, "strerror", None) or _hindrance(fresh)
+        raise NotWritten(f"{path} could not be written ({reason}): make room, or name another place") from error
 
 
 def _hindrance(path):

@@ -63,6 +63,11 @@ def _import():
         return importlib.import_module(f"{WHEEL}._native")
 
 
+def place():
+    """The Path of the native module's file; None if it cannot be used."""
+    return None if problem() else Path(load().__file__)
+
+
 def cancelled():
     """The exception that ends what polls a Cancel."""
     return load().Cancelled("cancelled")

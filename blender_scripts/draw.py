@@ -14,6 +14,7 @@ from mathutils import Vector
 
 sys.path.insert(0, str(Path(__file__).parent))
 
+import blend_file
 import ending
 import frame_dump
 import framing
@@ -46,7 +47,7 @@ def main(words):
 def open_scene(spec):
     """Opens a .blend, or imports a model or builds a named scene in an empty file. The add-on stays enabled."""
     if model_files.is_blend(spec):
-        open_file(Path(spec).absolute())
+        blend_file.open_file(Path(spec).absolute())
         return
     bpy.ops.wm.read_homefile(use_empty=True)
     if model_files.is_model(spec):
@@ -83,16 +84,6 @@ def operator(name):
     except KeyError:
         return None
     return found
-
-
-def open_file(path):
-    """Opens a .blend without running its scripts. The operator raises RuntimeError even if the file was opened, when it
-    reports missing parts as errors; only failures to open the file are raised."""
-    try:
-        bpy.ops.wm.open_mainfile(filepath=str(path), load_ui=False, use_scripts=False)
-    except RuntimeError:
-        if not (bpy.data.filepath and Path(bpy.data.filepath).samefile(path)):
-            raise
 
 
 def set_size(scene, options):

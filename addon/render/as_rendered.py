@@ -17,6 +17,11 @@ from ..scene.problem import CannotDraw
 _look = None  # of the render in progress, if `look` started it: (Future of the result, `take`, name of the view layer)
 
 
+def is_looking():
+    """Whether `look` started the render in progress, which writes nothing."""
+    return _look is not None
+
+
 def looked(engine, depsgraph):
     """Whether `look` started this render, so that nothing is to be drawn; calls its `take` once, for its view layer."""
     if _look is None:

@@ -13,7 +13,7 @@ import ending
 import scenes
 
 from . import build as native
-from . import draw_options, output, packages
+from . import draw_options, output, packages, render_options
 from . import package as extension
 from .standalone import toolchain
 from .target import PROJECT, SHARED, StepFailed, say, tail
@@ -67,6 +67,16 @@ def draw(target, words):
     extension.install(target)
     script = PROJECT / "blender_scripts" / "draw.py"
     in_blender(target, f"drawing {options.scene}", script, words)
+    return 0
+
+
+def render(target, words):
+    options = render_options.parse(words)
+    extension.install(target)
+    frames = "-".join(map(str, options.frames)) if options.frames else "all frames"
+    environment = {"FOVEA_ATOMIC": "1", "FOVEA_RESUME": "1" if options.resume else "0"}
+    script = PROJECT / "blender_scripts" / "render.py"
+    in_blender(target, f"rendering {options.file.name} {frames}", script, words, **environment)
     return 0
 
 
@@ -145,12 +155,12 @@ def agreement(target, words):
     return 0
 
 
-def in_blender(target, sentence, script, words):
+def in_blender(target, sentence, script, words, **environment):
     """Runs a script in Blender in background mode, and prints the paths of the files it wrote, or figures about them,
     of all of them or of those before an error, and says its notes, each once. StepFailed on an error, with the script's
     message if it has one (ending.py), else with the end of the log."""
     command = [target.blender, "-b", "--python-exit-code", "1", "-P", script, "--", *words]
-    log, status = target.attempt(sentence, command)
+    log, status = target.attempt(sentence, command, **environment)
     lines = log.read_text(errors="replace").splitlines()
     for line in lines:
         if told := ending.announced(line) or ending.told(line):

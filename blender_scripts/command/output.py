@@ -1,18 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Output files of commands: checked before the work, and written by the add-on's module, which needs no Blender."""
 
-import importlib.util
 import os
 import tempfile
 from pathlib import Path
 
-from .target import PROJECT
+from . import addon_files
 
-# By its file, because the package `addon` is the staged one, with the native module, where it is imported at all.
-_spec = importlib.util.spec_from_file_location("fovea_files", PROJECT / "addon" / "files.py")
-_files = importlib.util.module_from_spec(_spec)
-_spec.loader.exec_module(_files)
-written = _files.written
+written = addon_files.loaded("files").written
 
 
 def check(*paths):

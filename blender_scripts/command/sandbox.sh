@@ -67,7 +67,7 @@ named_options() {
         named=--ro-bind
         case $previous in -o | --output | --dump | --render-output) named=--bind ;; esac
         case $word in --output=* | --dump=*) named=--bind ;; esac
-        [ "$subcommand" != blender ] || named=--bind
+        case $subcommand in blender | render) named=--bind ;; esac
         previous=$word
         [ "$how" = "$named" ] && folder=$(folder_of "${word#--*=}") || continue
         is_system "$folder" || option "$how" "$folder" "$folder"

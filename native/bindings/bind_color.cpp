@@ -3,6 +3,7 @@
 #include <fovea/color/light.h>
 #include <fovea/color/png.h>
 #include <fovea/color/source.h>
+#include <fovea/color/stored_png.h>
 
 #include "bindings/bind.h"
 #include "bindings/records.h"
@@ -34,6 +35,12 @@ Light make_light(const py::str& kind, const dvec3& position, const dvec3& direct
     return {value_from<Light::Kind>(kind, "light: kind"), position, direction, color, cos_outer, cos_inner};
 }
 
+StoredPng stored(const py::bytes& file) {
+    const std::string_view bytes(file);
+    return without_gil(
+        [bytes] { return stored_png({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()}); });
+}
+
 py::bytes png(const py::array_t<std::uint8_t, py::array::c_style>& rgb) {
     check(rgb.ndim() == 3 && rgb.shape(2) == 3, "rgb: expected shape (height, width, 3)");
     return py::bytes(png_bytes({rgb.data(), std::size_t(rgb.size())}, int(rgb.shape(1)), int(rgb.shape(0))));
@@ -60,6 +67,19 @@ void bind_color(py::module_& m) {
     py::class_<Light>(m, "Light", "A light; see native/fovea/color/light.h.")
         .def(py::init(&make_light), py::arg("kind"), py::arg("position"), py::arg("direction"), py::arg("color"),
              py::arg("cos_outer") = -1.0f, py::arg("cos_inner") = -1.0f);
+    py::class_<StoredPng>(m, "StoredPng", "The pixels of a PNG file as it stores them.")
+        .def_readonly("width", &StoredPng::width)
+        .def_readonly("height", &StoredPng::height)
+        .def_readonly("channels", &StoredPng::channels, "of a palette: 1, its entry")
+        .def_readonly("bits", &StoredPng::bits, "of a value: 1, 2, 4, 8 or 16")
+        .def_property_readonly(
+            "values",
+            [](const StoredPng& image) {
+                return py::bytes(reinterpret_cast<const char*>(image.values.data()), image.values.size());
+            },
+            "Rows from the top, each begins with a byte; of 16 bits the higher byte is first.");
+    m.def("stored_png", &stored, py::arg("file"),
+          "The pixels of a PNG file, of all of its bytes. ValueError if it is broken.");
     m.def("png_bytes", &png, py::arg("rgb"),
           "The bytes of a PNG file of (height, width, 3) uint8 sRGB, bottom row first.");
 }

@@ -31,6 +31,7 @@ LIBRARIES = {
     r"CLI/": r"native/tool/",
     r"nlohmann/": r"native/(tool/|fovea/style/json)",
     r"zlib\.h": r"native/fovea/vector/pdf",
+    r"png\.h": r"native/fovea/color/(stored_)?png",
     r"Python\.h": r"nowhere",
 }
 
@@ -55,6 +56,8 @@ MODULES = {
     "__init__": "",
     "stages": "",
     "files": "",
+    "frame_records": "",
+    "held_folder": "",
     "native": "_native",
     "style": "catalogue native",
     "catalogue": "native",
@@ -71,7 +74,7 @@ FOLDERS = "gpu scene focus style render ui".split()
 # `native.load()` gives the native module; other parts get handles from these.
 LOADERS = (
     r"addon/(gpu/\w+|catalogue|curve_fit|line_arrays|pipeline|scene/api|style/(__init__|style_picture)|"
-    r"render/(drawn_lines|gpu_check|line_operators|methods|reading|session|vectors|viewport)|ui/preferences)\.py"
+    r"render/(drawn_lines|gpu_check|line_operators|methods|reading|session|vectors|viewport|whole_pictures)|ui/preferences)\.py"
 )
 
 
