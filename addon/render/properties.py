@@ -7,11 +7,11 @@ Styles are separate datablocks: style_data.py.
 import bpy
 
 from ..focus import focus_settings
-from ..scene import own_lines, repair
+from ..scene import own_lines, repair, section
 from ..scene.property_kinds import SHARE, choice, new_group, number, part, pointer, redraw, switch, text, whole_number
 from ..scene.shapes import SHAPES
 from ..style import style_data, style_read
-from . import gpu_context, methods
+from . import drawing_scale, gpu_context, methods
 
 
 def style_of(scene):
@@ -77,6 +77,8 @@ def _scene_group():
         "backend": choice("Device", "What draws the lines", items=BACKENDS, update=_backend_chosen),
         **methods.properties(),
         **focus_settings.annotations(),
+        **section.annotations(),
+        **drawing_scale.annotations(),
     }
     return new_group("FoveaSceneSettings", "How a scene is drawn.", annotations)
 
