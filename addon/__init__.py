@@ -30,7 +30,7 @@ TOOLS = (
         "style.style_assets",
         "render.line_operators",
         "render.vector_operators",
-        "render.drawing_scale",
+        "render.to_scale_operators",
         "render.cameras",
     ),
     *("render.report", "style.freestyle", "style.line_art", "ui.tools_panel"),

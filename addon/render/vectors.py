@@ -27,6 +27,12 @@ def kept_items(of):
     return _kept[of]
 
 
+def sheet_sizes():
+    """{sheet of paper: (width, height) in millimeters, upright}."""
+    known = ((name, native.load().sheet_size(name)) for name, *_ in kept_items("SHEETS"))
+    return {name: size for name, size in known if any(size)}
+
+
 def drawing(context, kind, asked, **how):
     """The native Drawing, for files of a kind (svg, pdf, dxf), of a final render of the context's frame and view layer
     with VectorOptions, or None if the user canceled it; `how` as for `session.final`."""
