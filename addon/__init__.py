@@ -9,15 +9,16 @@ import importlib
 MODULES = (  # those with something to register; panels stand in this order
     *("ui.preferences", "style.style_groups", "focus.focus_settings", "render.properties"),
     *("style.style_operators", "style.line_set_operators", "ui.thumbnails", "ui.gallery", "ui.panels", "ui.hints"),
-    *("ui.style", "ui.lines", "ui.focus", "ui.effects", "ui.elision", "ui.paper", "ui.method", "ui.things"),
-    *("ui.lines_over", "ui.sidebar", "ui.menu", "ui.viewport_settings", "ui.simplify", "scene.overrides", "render.engine"),
-    *("render.whole_frames", "render.frame_check"),
+    *("ui.style", "ui.lines", "ui.focus", "ui.effects", "ui.elision", "ui.paper", "ui.to_scale", "ui.method"),
+    *("ui.things", "ui.lines_over", "ui.sidebar", "ui.menu", "ui.viewport_settings", "ui.simplify", "scene.overrides"),
+    *("render.engine", "render.whole_frames", "render.frame_check"),
 )
 TOOLS = (
     *("focus.focus_operators", "focus.focus_place_operators", "focus.focus_pull", "focus.focus_gizmos"),
     *("focus.focus_tool", "style.renamed"),
-    *("ui.focus_overlay", "style.style_assets", "render.line_operators", "render.vector_operators", "render.cameras"),
-    *("render.lines_over", "render.lines_over_check", "render.report", "style.freestyle", "style.line_art", "ui.tools_panel"),
+    *("ui.focus_overlay", "style.style_assets", "render.line_operators", "render.vector_operators"),
+    *("render.to_scale_operators", "render.cameras", "render.lines_over", "render.lines_over_check", "render.report"),
+    *("style.freestyle", "style.line_art", "ui.tools_panel"),
 )
 
 

@@ -12,7 +12,8 @@ A definition is a dict of
 - stand_ins: {definition: {parameter: value}} that drafts draw instead, only along an object's outer silhouette
 - reads_edge_marks: whether it needs Freestyle's edge marks, which are read only on demand
 - usual: what artists draw with; panels fold the others
-- parameters: dicts of name, label, default, min, max, unit ("degrees", "pixels", "bool" or ""), meaning, and
+- parameters: dicts of name, label, default, min, max, unit ("degrees", "pixels", "millimeters", "bool" or
+  ""), meaning, and
   per_object: whether objects may override the value.
 Definitions are in the registry's order.
 """

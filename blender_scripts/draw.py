@@ -7,7 +7,7 @@ from pathlib import Path
 import bpy
 from bl_ext.user_default.fovea import catalogue, style
 from bl_ext.user_default.fovea.focus import focus_settings
-from bl_ext.user_default.fovea.render import cameras, vectors
+from bl_ext.user_default.fovea.render import cameras, drawing_scale, vectors
 from bl_ext.user_default.fovea.scene import line_kinds
 from bl_ext.user_default.fovea.style import freestyle, style_data, style_groups, style_read, style_write
 from mathutils import Vector
@@ -110,6 +110,7 @@ def set_camera(scene, options):
         framing.ELEVATION if options.elevation is None else options.elevation,
         options.lens or framing.LENS,
         options.margin / 100,
+        orthographic=bool(options.scale),
     )
 
 
@@ -138,6 +139,9 @@ def set_drawing(scene, options):
         style_data.choose_lines(held, catalogue.named(options.lines))
     set_parameters(held, options.param)
     set_hidden(held, options)
+    set_section(scene, options.section)
+    if options.scale and not options.cameras:
+        set_scale(scene, options.scale)
     set_focus(scene, options)
     set_effects(held.effects, options)
     if options.elision is not None:
@@ -173,6 +177,20 @@ def set_hidden(held, options):
             if given is not None:
                 style.check(style.LineSet, name, given, f"--{name}")
                 setattr(line_set, name, given)
+
+
+def set_section(scene, plane):
+    """Applies --section: the name of an object, or a point and a normal, for which an Empty is added."""
+    if isinstance(plane, str):
+        if plane not in scene.objects:
+            raise ValueError(f"--section {plane}: there is no such object in the scene")
+        scene.fovea.section = scene.objects[plane]
+    elif plane:
+        empty = bpy.data.objects.new("Section Plane", None)
+        empty.location = plane[:3]
+        empty.rotation_euler = Vector(plane[3:]).to_track_quat("Z", "Y").to_euler()
+        scene.collection.objects.link(empty)
+        scene.fovea.section = empty
 
 
 def set_focus(scene, options):
@@ -255,6 +273,8 @@ def render(scene, options):
             scene.camera = camera
             if options.lens:
                 set_lens(camera, options.lens)
+            if options.scale:
+                set_scale(scene, options.scale)
             render_frames(scene, options, names[camera.name])
 
 
@@ -273,6 +293,14 @@ def render_frames(scene, options, camera=None):
         else:
             picture.render(scene, path)
             ending.announce(path)
+
+
+def set_scale(scene, scale):
+    """Applies --scale for the scene's camera."""
+    try:
+        drawing_scale.fit_page(scene, scale)
+    except ValueError as error:
+        raise ValueError(f"--scale: {error}") from error
 
 
 def write_vectors(options, path):

@@ -11,9 +11,10 @@ from command import obj
 AZIMUTH, ELEVATION, LENS = 35.0, 25.0, 50.0  # degrees left of the front and above it, millimetres
 
 
-def frame(scene, azimuth, elevation, lens, margin):
+def frame(scene, azimuth, elevation, lens, margin, *, orthographic=False):
     """Aims a new camera at what is drawn, from `azimuth` and `elevation` (degrees), as near as `margin` (a share
-    of the picture on each side) allows. `lens`: mm. ValueError if there is nothing to frame."""
+    of the picture on each side) allows. `lens`: mm; of an orthographic camera it has no effect. ValueError if there is
+    nothing to frame."""
     points = visible_points(bpy.context.evaluated_depsgraph_get())
     if not len(points):
         raise ValueError("the scene shows nothing to frame: no faces, edges, curves, hair or points")
@@ -23,9 +24,14 @@ def frame(scene, azimuth, elevation, lens, margin):
     camera.data.lens = lens
     camera.rotation_euler = (math.radians(90 - elevation), 0, math.radians(-azimuth))
     axes = np.array(camera.rotation_euler.to_matrix())  # columns: right, up and backwards, in the world
+    local, share = points @ axes, 1 - 2 * margin
     half_width, half_height = _half_frame(camera.data, scene)
-    local = points @ axes
-    place = nearest_place(local, half_width * (1 - 2 * margin), half_height * (1 - 2 * margin))
+    if orthographic:
+        camera.data.type = "ORTHO"
+        place, times = place_and_size(local, half_width * share, half_height * share)
+        camera.data.ortho_scale = times * 2 * max(half_width, half_height)
+    else:
+        place = nearest_place(local, half_width * share, half_height * share)
     camera.location = axes @ place
     depths = place[2] - local[:, 2]
     if not depths.max() > 0:
@@ -46,6 +52,15 @@ def nearest_place(points, half_width, half_height):
         distance.append((above + below) / (2 * half))
     place[2] = max(distance)
     return place
+
+
+def place_and_size(points, half_width, half_height):
+    """(position (3,) of a camera looking along -z without perspective, and how many times the given half sizes its
+    frame must have to hold all points (n, 3))."""
+    low, high = points.min(axis=0), points.max(axis=0)
+    across, up, depth = high - low
+    times = max(across / (2 * half_width), up / (2 * half_height))
+    return np.array([*(low + high)[:2] / 2, high[2] + max(depth, times)]), times
 
 
 def visible_points(depsgraph):

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Runs inside Blender for the pictures of command/pages.py: each line definition over a faint drawing of its example
 model, the demo scene at each stage of the method and with several focus models, pens that change along strokes, scenes
-of what artists meet, plots of transfer functions."""
+of what artists meet, sections, plots of transfer functions."""
 
 import argparse
 import sys
@@ -61,16 +61,22 @@ def situation(name, path):
 
 
 def scene_in_colors(name, shown, size, path, crop=None):
-    """(H, W, 3) picture of a scene, supersampled by 2. `shown`: a pages.Stage; `crop`: arguments of `magnify`."""
-    draw.open_scene(name)
+    """(H, W, 3) picture of a scene or model, supersampled by 2. `shown`: a pages.Stage; `crop`: arguments of `magnify`."""
+    open_model(name)
     scene = bpy.context.scene
     width, height = quantities.frame_size(size)
-    words = [name, *shown.words, "--size", f"{2 * width}x{2 * height}", "-o", str(path)]
+    words = [*shown.words, "--size", f"{2 * width}x{2 * height}", "-o", str(path)]
     set_drawing(scene, draw_options.parse(words), shown.settings)
     if crop:
         magnify(scene, *crop)
     picture.render(scene, path)
     return picture.pixels(path)[..., :3].reshape(height, 2, width, 2, 3).mean(axis=(1, 3))
+
+
+def section(name, path):
+    """(H, W, 3) picture of a scene or model that a plane cuts open, supersampled by 2."""
+    model, shown = pages.SECTIONS[name]
+    return scene_in_colors(model, shown, pages.SECTIONS_SIZE, path)
 
 
 def stroke(name, path):
@@ -102,7 +108,7 @@ def plot(name, path):
 
 
 DRAWN_BY = {
-    "lines": line, "way": stage, "focus": stage, "strokes": stroke, "situations": situation, "transfers": plot,
+    "lines": line, "sections": section, "way": stage, "focus": stage, "strokes": stroke, "situations": situation, "transfers": plot,
 }  # fmt: skip
 
 

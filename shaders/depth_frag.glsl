@@ -12,6 +12,11 @@ void main()
   int b = edge_code_of(inside.y, vec2(right.y, up.y));
   int c = edge_code_of(inside.z, vec2(right.z, up.z));
   edges = pack_edges(a, b, c);
+#ifdef SECTION
+  if (before_section > 0.0) {
+    discard;
+  }
+#endif
 #ifdef WRITES_DEPTH
   gl_FragDepth = depth;
 #endif

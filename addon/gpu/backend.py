@@ -83,11 +83,15 @@ class Backend(native.load().Backend):
         self._keep_surfaces(scene, draws)
         with target.bind("GREATER") as framebuffer:
             framebuffer.clear(color=_BACKGROUND, depth=0.0)
-            program = self._programs.bind("far_depth" if far else "depth", buffer_scale=float(layout.scale))
+            cut = native.load().has_section(scene)
+            name = "section_depth" if cut else "far_depth" if far else "depth"
+            program = self._programs.bind(name, buffer_scale=float(layout.scale))
             for draw in draws:
                 gpu.state.face_culling_set(draw.culled)
                 program.uniform_float("object_to_depth_clip", draw.object_to_depth_clip)
                 program.uniform_int("facet_base", draw.facet_base)
+                if cut:
+                    program.uniform_float("section", draw.cut)
                 batch = self.surfaces[draw.surface_version]
                 batch.draw_range(program, elem_start=draw.first, elem_count=draw.count)
         return target

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 import bpy
 
 from .. import catalogue
-from ..scene import instances, notes, subdivision
+from ..scene import instances, notes, section, subdivision
 from . import properties, reading, session, worker
 
 # Updates of these types alone need no new reading, unless the placements differ.
@@ -51,7 +51,7 @@ class Changes:
         if self._scene is not None and not self._told and shows == self._space:
             return self._scene
         style = properties.style_drawn(depsgraph)
-        needs = _needs(style, properties.density_map(depsgraph))
+        needs = (*_needs(style, properties.density_map(depsgraph)), section.plane_of(depsgraph))
         placements = instances.placements(depsgraph, space)
         found, version = self._scene and self._scene.gathered, self._scene.version if self._scene else 0
         if self._scene is None or self._must_read or (needs, placements) != (self._needs, self._placements):

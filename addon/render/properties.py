@@ -7,11 +7,11 @@ Styles are separate datablocks: style_data.py.
 import bpy
 
 from ..focus import focus_settings
-from ..scene import followed, own_lines, repair
+from ..scene import followed, own_lines, repair, section
 from ..scene.property_kinds import SHARE, choice, new_group, number, part, pointer, redraw, switch, text, whole_number
 from ..scene.shapes import SHAPES
 from ..style import style_data, style_read
-from . import gpu_context, lines_over, methods
+from . import drawing_scale, gpu_context, lines_over, methods
 
 
 def style_of(scene, styled=None):
@@ -98,6 +98,8 @@ def _scene_group():
         **focus_settings.annotations(),
         "lines_blend": choice("Blend", lies, items=BLENDS, get=lines_over.blend, set=lines_over.set_blend),
         "lines_of": pointer("Lines Of", "The scene over whose pictures this one draws lines", type=bpy.types.Scene),
+        **section.annotations(),
+        **drawing_scale.annotations(),
     }
     return new_group("FoveaSceneSettings", "How a scene is drawn.", annotations)
 

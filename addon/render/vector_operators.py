@@ -13,17 +13,7 @@ from ..scene.problem import CannotDraw
 from . import vectors
 from .line_operators import OfRender, progress
 
-CHOSEN = ("sheet", "margin", "tolerance", "widths", "ground", "plotter")  # of VectorOptions
-
-
-_kept = {}  # Blender does not keep items of functions alive
-
-
-def _items(of):
-    """There are none as long as the native module is not there, which may change."""
-    if not _kept.get(of):
-        _kept[of] = list(vectors.choices(of))
-    return _kept[of]
+CHOSEN = ("sheet", "margin", "to_scale", "tolerance", "widths", "ground", "plotter")  # of VectorOptions
 
 
 class FOVEA_OT_export_vectors(OfRender, bpy.types.Operator, ExportHelper):
@@ -35,14 +25,19 @@ class FOVEA_OT_export_vectors(OfRender, bpy.types.Operator, ExportHelper):
     errors = (*TOLD, files.NotWritten)
 
     filter_glob: StringProperty(default="*.svg;*.pdf;*.dxf", options={"HIDDEN"})
-    kind: EnumProperty(name="Format", description="Kind of file", items=lambda _s, _c: _items("VECTORS"))
+    kind: EnumProperty(name="Format", description="Kind of file", items=lambda _s, _c: vectors.kept_items("VECTORS"))
     sheet: EnumProperty(
         name="Paper",
         description="Size of the paper, which lies as the picture does",
-        items=lambda _s, _c: _items("SHEETS"),
+        items=lambda _s, _c: vectors.kept_items("SHEETS"),
     )
     margin: FloatProperty(
         name="Margin", description="Left free around the picture on a sheet [mm]", default=10.0, min=0.0, max=1000.0
+    )
+    to_scale: BoolProperty(
+        name="To Scale",
+        description="On a sheet of paper, too, the picture is as large as the style's paper says",
+        default=False,
     )
     tolerance: FloatProperty(
         name="Tolerance",
@@ -56,7 +51,7 @@ class FOVEA_OT_export_vectors(OfRender, bpy.types.Operator, ExportHelper):
     widths: EnumProperty(
         name="Changing Widths",
         description="What becomes of strokes whose width changes",
-        items=lambda _s, _c: _items("WIDTHS"),
+        items=lambda _s, _c: vectors.kept_items("WIDTHS"),
     )
     ground: BoolProperty(
         name="Paper and Colors",
@@ -76,7 +71,7 @@ class FOVEA_OT_export_vectors(OfRender, bpy.types.Operator, ExportHelper):
     def chosen_kind(self):
         """The kind of file that is asked for, or else that the name of the file says."""
         named = Path(self.filepath).suffix[1:].lower()
-        is_named = named in (name for name, *_ in _items("VECTORS"))
+        is_named = named in (name for name, *_ in vectors.kept_items("VECTORS"))
         return named if is_named and not self.properties.is_property_set("kind") else self.kind
 
     def act(self, context):

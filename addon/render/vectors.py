@@ -17,6 +17,22 @@ def choices(of):
     return [] if native.problem() else getattr(native.load(), of)
 
 
+_kept = {}  # Blender does not keep items of functions alive
+
+
+def kept_items(of):
+    """The same as a list that stays alive, empty as long as the native module is not there."""
+    if not _kept.get(of):
+        _kept[of] = list(choices(of))
+    return _kept[of]
+
+
+def sheet_sizes():
+    """{sheet of paper: (width, height) in millimeters, upright}."""
+    known = ((name, native.load().sheet_size(name)) for name, *_ in kept_items("SHEETS"))
+    return {name: size for name, size in known if any(size)}
+
+
 def drawing(context, kind, asked, **how):
     """The native Drawing, for files of a kind (svg, pdf, dxf), of a final render of the context's frame and view layer
     with VectorOptions, or None if the user canceled it; `how` as for `session.final`."""

@@ -72,6 +72,8 @@ def parameter_property(parameter, name=""):
     options = {"default": default, "min": low, "max": high}
     if parameter["unit"] == "degrees":
         return number(*words, subtype="ANGLE", **options)
+    if parameter["unit"] == "millimeters":
+        return number(*words, subtype="DISTANCE_CAMERA", **options, soft_max=min(high, SLIDE * default))
     if parameter["name"] == "count":
         return number(*words, precision=0, step=100, **options)
     if (low, high) == (0, 1):

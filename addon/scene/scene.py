@@ -8,7 +8,8 @@ import bpy
 import numpy as np
 
 from .. import native
-from . import bare_shapes, cut_outs, detail, followed, instances, kept, materials, own_lines, repair, shapes, subdivision
+from . import bare_shapes, cut_outs, detail, followed, instances, kept, materials, own_lines, repair, section, shapes
+from . import subdivision
 from .mesh_arrays import is_edited
 from .snapshot import Origin, Snapshot
 
@@ -33,6 +34,7 @@ class _Gathering:
         self.outlines = bare_shapes.outlines()
         self.together = None  # {object: collection with one outline}, by full names
         self.lights = {}  # kind of instances: its light
+        self.section, self.plane = section.of(depsgraph), section.plane_of(depsgraph)
         self.origins, self.origins_of_kind = [], []  # Origins; by kind of instances, its first and how many
 
     def meet(self, instance):
@@ -70,6 +72,8 @@ class _Gathering:
         obj, owner = instance.object, instances.owner(instance)
         # Instances are temporary copies, and so are objects that Blender converted to meshes. Settings are read from
         # the evaluated originals (reading them from a copy leaks memory).
+        if self.section and self.section.original in (obj.original, owner.original):
+            return 0  # it stands for a plane
         same = obj == owner
         obj = obj.original.evaluated_get(self.depsgraph)
         owner = obj if same else owner.original.evaluated_get(self.depsgraph)
@@ -236,7 +240,7 @@ class _Gathering:
         names = np.array([origin.names for origin in self.origins], np.uint64)[origin_of]
         usage = np.array([origin.usage for origin in self.origins], np.uint8)[origin_of]
         ids = instances.ids(names, persistent[steps])
-        told = self.left_out, [self.cache.at_rest.decided.get(id(surface)) for surface in self.surfaces]
+        told = self.left_out, self.plane, [self.cache.at_rest.decided.get(id(surface)) for surface in self.surfaces]
         return Snapshot(self.surfaces, self.slots, self.origins, origin_of, matrices[steps], ids, usage, *told)
 
 
@@ -282,6 +286,7 @@ def placed(core, snapshot):
             found.persistent_id,
             found.usage,
             found.of_origins("group", np.uint64),
+            found.section,
         )
 
 

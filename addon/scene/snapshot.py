@@ -34,6 +34,7 @@ class Snapshot:
     persistent_id: np.ndarray  # (n,) uint64, the same in every frame and every session
     usage: np.ndarray  # (n,) uint8: the Origins', which a caller may narrow
     left_out: dict  # object name -> why some of it has no lines
+    section: tuple | None  # the section plane (x, y, z, w) in world space; see section.py
     at_rest: list  # m: (shape, reason) as decided of the mesh at rest; None: of the surface itself, or as asked for
 
     def of_origins(self, member, dtype):

@@ -9,6 +9,7 @@ from ..scene import animation
 from . import FILTERS, style_curves, style_data, style_read, style_write
 from .style_operators import OnStyle
 
+ISO_WIDTHS = "0.13", "0.18", "0.25", "0.35", "0.5", "0.7", "1.0", "1.4", "2.0"  # mm, of ISO 128
 MOST = 64  # most line sets of a style
 NEW = "Line Set"  # name of a new one: shipped styles have a set "lines"
 _FOR_ALL = dict.fromkeys(FILTERS, "") | dict.fromkeys(FILTERS.values(), False)  # members of a LineSet without filters
@@ -143,6 +144,26 @@ class FOVEA_OT_hidden_pen_remove(_Edit, bpy.types.Operator):
         line_set.hidden.remove(line_set.hidden_index)
         style_curves.drop_unused(held.id_data)
         line_set.hidden_index = max(min(line_set.hidden_index, len(line_set.hidden) - 1), 0)
+
+
+class FOVEA_OT_pen_width(_Edit, bpy.types.Operator):
+    """Make the strokes of the pen as wide as technical pens are, in millimeters on the page"""
+
+    bl_idname, bl_label = "fovea.pen_width", "Width of Technical Pens"
+
+    pen: StringProperty(
+        name="Pen", description="Path of the pen's properties in the style; none: that of the chosen line set"
+    )
+    width: EnumProperty(
+        name="Width",
+        description="Of the pen, by ISO 128",
+        items=[(width, f"{width} mm", "") for width in ISO_WIDTHS],
+        default="0.35",
+    )
+
+    def edit(self, held):
+        pen = held.id_data.path_resolve(self.pen) if self.pen else edited(held).pen
+        pen.width_unit, pen.width = "MILLIMETRES", float(self.width)
 
 
 class FOVEA_OT_pen_curve_add(_Edit, bpy.types.Operator):

@@ -25,6 +25,7 @@ def read(tree, focus=None):
         distance=_distance(held.distance),
         color=_color(held.color),
         elision=_elision(held.elision),
+        section=style.Section(**_plain(held.section, style.Section)),
         kept=_kept(held),
     )
 

@@ -20,6 +20,7 @@ def write(tree, wanted):
     if wanted.color.background is not None:
         held.color.background = wanted.color.background
     _write_plain(held.elision, wanted.elision)
+    _write_plain(held.section, wanted.section)
     _write_transfers(tree, held.effects, wanted.effects)
     _write_transfers(tree, held.distance, wanted.distance)
     held.line_sets.clear()

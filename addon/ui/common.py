@@ -77,7 +77,11 @@ def draw_pen(layout, pen, most=None):
             continue
         column = body.column()
         for name in names:
-            draw_properties(column, pen, (name,), name not in HEEDED or HEEDED[name](pen))
+            row = column.row(align=True)
+            draw_properties(row, pen, (name,), name not in HEEDED or HEEDED[name](pen))
+            if name == "width":
+                chosen = row.operator_menu_enum("fovea.pen_width", "width", text="", icon="DOWNARROW_HLT")
+                chosen.pen = pen.path_from_id()
         for declared in style_groups.transfers(style.Pen).values():
             if declared["group"] == group:
                 _draw_curve_of_pen(body, pen, where, declared)

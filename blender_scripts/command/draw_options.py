@@ -96,6 +96,12 @@ def _parser():
     pixels = quantities.finite("pixels")
     add("--halo", type=pixels, metavar="PX", help="gap where lines pass behind others, at a height of 1080 pixels")
     add("--overshoot", type=pixels, metavar="PX", help="how far lines go on beyond their ends, alike")
+    plane = "cut open: what is on the +Z side of an object's XY plane is away, or of a point in the direction NX,NY,NZ"
+    add("--section", type=quantities.section, metavar="OBJECT|X,Y,Z,NX,NY,NZ", help=plane)
+    scale = quantities.within(1e-3, 1e6, "meters to a meter on paper")
+    add(
+        "--scale", type=scale, metavar="N", help="1:N, without perspective: the page is as high as that makes the frame"
+    )
     focus = parser.add_mutually_exclusive_group()
     where = "where to look: 0..1 from the left and the top, or in space, or an object's surface, by its name"
     focus.add_argument("--focus", type=quantities.focus, metavar="U,V|X,Y,Z|OBJECT", help=where)
@@ -141,6 +147,7 @@ def vector_options(options):
     given = {
         "sheet": options.paper,
         "margin": options.paper_margin,
+        "to_scale": True if options.scale else None,
         "tolerance": options.tolerance,
         "widths": options.center_lines and "center",
         "ground": False if options.lines_alone else None,
@@ -174,6 +181,8 @@ def _check(options):
         raise ValueError(f"{kinds}, not {options.output.name}")
     _check_vectors(options)
     _check_over(options)
+    if options.scale and options.paper == "pixels":
+        raise ValueError("--scale is of paper, and --paper pixels has no size: leave out one of them")
     if options.sheet:
         _check_sheet(options)
     if options.cameras and (options.azimuth is not None or options.elevation is not None):
@@ -199,7 +208,7 @@ def _check_sheet(options):
     if options.output.suffix != ".png":
         raise ValueError(f"a sheet is a .png, not {options.output.name}")
     others = ("frames", "cameras", "style", "transparent", "hidden", "hidden_by", "halo", "overshoot", "dump")
-    others += ("focus", "focus_painted", "elision")
+    others += ("focus", "focus_painted", "elision", "section", "scale")
     for other in others:
         if getattr(options, other):
             raise ValueError(f"a sheet has no --{other.replace('_', '-')}")

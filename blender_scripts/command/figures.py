@@ -11,7 +11,7 @@ import window
 from . import actions, pages
 from . import package as extension
 from .target import PROJECT, SHARED
-from .variants import SHEETS
+from .variants import PLAN, SHEETS
 
 FOLDER = PROJECT / "blender_scripts" / "figures"
 MODELS = SHARED / "models"
@@ -46,9 +46,12 @@ FIGURES = {  # name -> options of `fovea draw`
 }  # fmt: skip
 
 
+VECTORS = {"plan-office": ["office", *PLAN]}  # name -> options of `fovea draw` for an SVG
+
+
 def figures(target, words):
     parser = argparse.ArgumentParser("fovea figures")
-    known = (*FIGURES, *SHEETS, THUMBNAILS, *pages.GROUPS, STEPS)
+    known = (*FIGURES, *VECTORS, *SHEETS, THUMBNAILS, *pages.GROUPS, STEPS)
     parser.add_argument("names", nargs="*", metavar="NAME", help=", ".join(known))
     parser.add_argument("-o", "--output", type=Path, default=FOLDER, help="folder")
     options = parser.parse_args(words)
@@ -69,8 +72,9 @@ def figures(target, words):
         if name in SHEETS:
             draw_sheet(target, name, options.output.absolute() / f"{name}.jpg")
             continue
-        picture = options.output.absolute() / f"{name}.png"
-        actions.draw(target, [*SIZE, *map(str, FIGURES[name]), "-o", str(picture)])
+        picture = options.output.absolute() / f"{name}{'.svg' if name in VECTORS else '.png'}"
+        words = VECTORS.get(name) or FIGURES[name]
+        actions.draw(target, [*SIZE, *map(str, words), "-o", str(picture)])
     return 0
 
 

@@ -3,6 +3,7 @@
 
 from dataclasses import dataclass, field
 
+from . import variants
 from .target import PROJECT
 
 DOCS = PROJECT / "addon" / "docs"
@@ -35,6 +36,7 @@ BUNNY = "organic/stanford-bunny.obj", _seen(-55, 12)
 SPOT = "organic/spot.obj", _seen(-135, 12)
 VASE = LESSON + "vase", _seen(30, 18)
 DRAPERY = LESSON + "drapery", _seen(25, 12)
+CUT_PART = "cad/crank-arm.obj", (*_seen(35, 25), "--section", "0,0,0,0,0,1")
 EVERY_EDGE = MESH, _params("crease.angle=0")
 
 _CHOSEN = {  # definition -> its picture; the others are drawn on the monkey
@@ -54,6 +56,8 @@ _CHOSEN = {  # definition -> its picture; the others are drawn on the monkey
     "topographic": Picture(*SPOT),
     "intersection": Picture(LESSON + "crossings", _seen(5, 40)),
     "abstracted_shading": Picture(*BUNNY),
+    "section": Picture(*CUT_PART),
+    "section_hatch": Picture(*CUT_PART, ("contour", "crease", "section")),
 }
 # Every definition that has a page.
 LINES = {
@@ -112,6 +116,11 @@ SITUATIONS = {  # scene of scenes/ -> its picture
     "lettering": Stage(("--style", "plain")),
     "night": Stage(("--style", "watercolor"), _DARK),
 }
+SECTIONS_SIZE = "960x540"
+SECTIONS = {  # picture -> its scene or model, and how that is drawn
+    "plan": ("office", Stage(variants.PLAN)),
+    "part": (CUT_PART[0], Stage((*CUT_PART[1], "--style", "plan"))),
+}
 _LIGHT = {"pen.second_color": (0.5, 0.5, 0.5)}
 STROKES_SIZE = "280x210"
 STROKES_WORDS = (*MONKEY[1], "--style", "plain", "--lines", "smooth_contour,suggestive_contour,crease,border")
@@ -136,7 +145,7 @@ STEPS = ("1_engine", "2_rendered", "3_style", "4_focus", "5_pull")  # pictures o
 
 # Name -> {picture: its description}; each group is a folder of addon/docs.
 GROUPS = {
-    "lines": LINES, "way": WAY, "focus": FOCUS, "strokes": STROKES, "situations": SITUATIONS, "transfers": TRANSFERS,
+    "lines": LINES, "sections": SECTIONS, "way": WAY, "focus": FOCUS, "strokes": STROKES, "situations": SITUATIONS, "transfers": TRANSFERS,
 }  # fmt: skip
 
 

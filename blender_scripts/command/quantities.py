@@ -74,6 +74,16 @@ def focus(text):
     return _numbers(text, (2, 3), "U,V in the image, X,Y,Z in space, or an object's name")
 
 
+def section(text):
+    """A tuple of six numbers, a point and a normal that is not zero; other text is an object's name."""
+    if text.count(",") != 5:
+        return text
+    numbers = _numbers(text, (6,), "OBJECT or X,Y,Z,NX,NY,NZ")
+    if not any(numbers[3:]):
+        raise argparse.ArgumentTypeError(f"'{text}' has no direction: NX,NY,NZ point to what is cut away")
+    return numbers
+
+
 def radii(text):
     near, far = _numbers(text, (2,), "NEAR,FAR")
     if not 0 <= near <= far:

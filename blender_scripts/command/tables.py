@@ -11,6 +11,7 @@ LISTED = re.compile(r'^\| \[<img src="(\w+)\.png".*$', re.MULTILINE)
 RECORDS = {  # first cell of a table of KEYS -> the record whose members it lists
     "`paper`": "Paper",
     "`color`": "Color",
+    "`section`": "Section",
     "`elision`": "Elision",
     "`focus`": "Focus",
     "a place in `points`": "FocusPlace",

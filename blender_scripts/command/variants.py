@@ -10,6 +10,10 @@ STYLES = ("pen_and_ink", "pencil", "charcoal", "technical", "blueprint", "waterc
 WATERCOLOR = ["--style", "watercolor", *AT]
 
 
+# The plan of the ground floor of the scene office, to scale.
+PLAN = ("--section", "0,0,1.35,0,0,1", "--azimuth", "0", "--elevation", "90", "--scale", "100", "--style", "plan")
+
+
 def _effects(scene):
     tiles = [(name, [*WATERCOLOR, "--effects", name]) for name in (*COLOR_EFFECTS, *LINE_EFFECTS)]
     return scene, [*tiles, ("all", WATERCOLOR)]

@@ -23,6 +23,7 @@ struct DepthDraw {
     mat4 object_to_depth_clip;
     Index facet_base;
     const char* culled;
+    vec4 cut;
     Index first, count;
 };
 
@@ -46,8 +47,8 @@ std::vector<DepthDraw> depth_draws(const DepthBuffer& layout, const Scene& scene
         const auto draw = [&](const char* culled, Index from, Index to) {
             if (from < to)
                 draws.push_back({occluder.placement, surface.version(), mat4(to_clip * occluder.object_to_view),
-                                 scene.facet_base[occluder.placement] % facet_modulus, culled, 3 * from,
-                                 3 * (to - from)});
+                                 scene.facet_base[occluder.placement] % facet_modulus, culled,
+                                 vec4(occluder.cut.value_or(dvec4(0.0, 0.0, 0.0, -1.0))), 3 * from, 3 * (to - from)});
         };
         draw("NONE", 0, one_sided);
         draw(back(occluder), one_sided, end);
@@ -85,6 +86,7 @@ void bind_draws(py::module_& m) {
             "(16,) float32, column by column")
         .def_readonly("facet_base", &DepthDraw::facet_base, "number of its first facet")
         .def_readonly("culled", &DepthDraw::culled, "side that is not drawn: NONE, FRONT or BACK")
+        .def_readonly("cut", &DepthDraw::cut, "plane in object space: what is before it is cut away")
         .def_readonly("first", &DepthDraw::first, "the first of the corners to draw")
         .def_readonly("count", &DepthDraw::count, "and their number");
     py::class_<DepthCorners, std::shared_ptr<DepthCorners>>(m, "DepthCorners",
@@ -106,6 +108,9 @@ void bind_draws(py::module_& m) {
         .def_readonly("width", &DepthBuffer::width, "texels")
         .def_readonly("height", &DepthBuffer::height, "texels")
         .def_readonly("core", &DepthBuffer::core, "left, lower, right and upper edge of what it decides, in pixels");
+    m.def(
+        "has_section", [](const Scene& scene) { return scene.section.has_value(); }, py::arg("scene"),
+        "Whether a section plane cuts the scene open.");
     m.def(
         "depth_reach", [](const Scene& scene, const View& view) { return depth_reach(scene, view, margin); },
         py::arg("scene"), py::arg("view"), "How far away along the view anything that hides lines reaches.");

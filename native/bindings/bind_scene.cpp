@@ -26,7 +26,8 @@ dmat4 matrix(const Matrix& array, const char* name) {
 std::shared_ptr<Scene> make_scene(const std::vector<std::shared_ptr<Surface>>& surfaces,
                                   const Arg<int>& surface_of_placement, const Matrix& object_to_world,
                                   const Arg<std::uint64_t>& ids, const Arg<std::uint8_t>& usage,
-                                  const std::optional<Arg<std::uint64_t>>& groups) {
+                                  const std::optional<Arg<std::uint64_t>>& groups,
+                                  const std::optional<dvec4>& section) {
     const auto count = static_cast<std::size_t>(surface_of_placement.size());
     check(object_to_world.ndim() == 3 && std::size_t(object_to_world.shape(0)) == count &&
               object_to_world.shape(1) == 4 && object_to_world.shape(2) == 4,
@@ -42,7 +43,13 @@ std::shared_ptr<Scene> make_scene(const std::vector<std::shared_ptr<Surface>>& s
         placements[i] = {surfaces[surface], matrix(object_to_world.data() + 16 * i), ids.data()[i], usage.data()[i],
                          groups ? groups->data()[i] : 0};
     }
-    return std::make_shared<Scene>(std::move(placements));
+    auto scene = std::make_shared<Scene>(std::move(placements));
+    if (section) {
+        const double length = glm::length(dvec3(*section));
+        check(std::isfinite(length + section->w) && length > 0.0, "section: expected a plane with a normal");
+        scene->section = *section / length;
+    }
+    return scene;
 }
 
 View make_view(const Matrix& world_to_view, const Matrix& view_to_clip, int width, int height, bool orthographic,
@@ -103,9 +110,10 @@ void bind_scene(py::module_& m) {
     py::class_<Scene, std::shared_ptr<Scene>>(m, "Scene", "Placements of surfaces: what one frame sees.")
         .def(
             py::init(&make_scene), py::arg("surfaces"), py::arg("surface_of_placement"), py::arg("object_to_world"),
-            py::arg("ids"), py::arg("usage"), py::arg("groups") = py::none(),
+            py::arg("ids"), py::arg("usage"), py::arg("groups") = py::none(), py::arg("section") = py::none(),
             R"(surface_of_placement (n,) int32 into surfaces; object_to_world (n, 4, 4) float64; ids (n,) uint64 persistent ids;
-usage (n,) uint8, bits of Usage; groups (n,) uint64: placements of the same one have one outline together, 0: of none.)")
+usage (n,) uint8, bits of Usage; groups (n,) uint64: placements of the same one have one outline together, 0: of none. section: a plane
+(x, y, z, w) in the world; where x, y and z times a point, plus w, is positive, all is cut away.)")
         .def("__len__", [](const Scene& scene) { return scene.placements.size(); })
         .def(
             "surface",

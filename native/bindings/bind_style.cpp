@@ -107,6 +107,7 @@ void bind_style(py::module_& parent) {
     bind_part<style::LineSet>(m, "LineSet", "Lines drawn alike.");
     bind_part<style::Paper>(m, "Paper", "The paper.");
     bind_part<style::Color>(m, "Color", "The scene's surfaces in color, under the lines.");
+    bind_part<style::Section>(m, "Section", "The inside of what the scene's section plane cuts.");
     bind_part<style::Elision>(m, "Elision", "Which of the lines that crowd each other stay.")
         .def("ranks", &style::Elision::ranks, "Whether something counts for the priority of lines.");
     bind_part<style::Effects>(m, "Effects", "What answers to focus.");

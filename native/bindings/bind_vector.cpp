@@ -2,6 +2,7 @@
 // Frames as vectors.
 #include <fovea/vector/compose.h>
 #include <fovea/vector/file.h>
+#include <fovea/vector/page.h>
 
 #include "bindings/bind.h"
 #include "bindings/records.h"
@@ -39,6 +40,13 @@ void bind_vector(py::module_& m) {
     m.attr("SHEETS") = choices<vector::Sheet>();
     m.attr("WIDTHS") = choices<vector::Widths>();
     m.attr("VECTORS") = choices<vector::Kind>();
+    m.def(
+        "sheet_size",
+        [](const py::str& sheet) {
+            const dvec2 size = vector::sheet_size(value_from<vector::Sheet>(sheet, "sheet"));
+            return py::make_tuple(size.x, size.y);
+        },
+        py::arg("sheet"), "Width and height of an upright sheet of paper in millimeters.");
     py::class_<KindOfDrawing, std::shared_ptr<KindOfDrawing>>(m, "Drawing", "A frame's strokes as layers of curves.")
         .def(py::init(&compose), py::arg("frame"), py::arg("options"), py::arg("kind") = "svg",
              "Takes the frame's steps up to `ink`; kind: of files, svg, pdf or dxf.")

@@ -20,7 +20,7 @@ template <>
 inline constexpr Choice choices_of<Extension>[] = {{"repeat"}, {"extend"}, {"clip"}, {"mirror"}};
 
 template <>
-inline constexpr Choice choices_of<line::Unit>[] = {{""}, {"degrees"}, {"pixels"}, {"bool"}};
+inline constexpr Choice choices_of<line::Unit>[] = {{""}, {"degrees"}, {"pixels"}, {"millimeters"}, {"bool"}};
 
 /// In scripts a line's scope is "surface", "view" or "scene".
 template <>

@@ -66,16 +66,16 @@ def moved(location, turn=0.0, scale=1.0):
     return matrix
 
 
-def scene_of(placed, usage=None):
-    """A native Scene of (surface, matrix) pairs."""
+def scene_of(placed, usage=None, section=None):
+    """A native Scene of (surface, matrix) pairs, cut open by a plane (x, y, z, w) or by none."""
     surfaces = list(dict.fromkeys(surface for surface, _ in placed))
     numbers = np.array([surfaces.index(surface) for surface, _ in placed], np.int32)
     matrices = np.array([matrix for _, matrix in placed], np.float64).reshape(-1, 4, 4)
     usage = np.array([core.Usage.DRAW | core.Usage.OCCLUDE] * len(placed) if usage is None else usage, np.uint8)
-    return core.Scene(surfaces, numbers, matrices, np.arange(1, len(placed) + 1, dtype=np.uint64), usage)
+    return core.Scene(surfaces, numbers, matrices, np.arange(1, len(placed) + 1, dtype=np.uint64), usage, None, section)
 
 
-def room():
+def room(section=None):
     """Boxes and balls that cover, pierce and touch each other, on a floor that reaches behind the eye."""
     rng = np.random.default_rng(4)
     shapes = [box(), box((0.4, 0.4, 1.5)), ball()]
@@ -83,7 +83,7 @@ def room():
     for i in range(40):
         place = (*rng.uniform(-3, 3, 2), rng.uniform(-0.2, 0.8))
         placed.append((shapes[i % 3], moved(place, rng.uniform(0, 6), rng.uniform(0.2, 0.6))))
-    return scene_of(placed)
+    return scene_of(placed, section=section)
 
 
 def view_of(width=320, height=200, orthographic=False, eye=(5, -6, 2.5), near=0.1, far=60.0):

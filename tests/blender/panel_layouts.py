@@ -30,7 +30,7 @@ class RecordingLayout:
         return self
 
     def operator_menu_enum(self, name, _prop, **_options):
-        self.operator(name)
+        return self.operator(name)
 
     def template_ID(self, owner, name, new=""):
         self.prop(owner, name)

@@ -20,9 +20,9 @@ def both(frame):
 
 
 @pytest.mark.parametrize("orthographic", [False, True])
-@pytest.mark.parametrize("scale", [1, 2])
-def test_depth(orthographic, scale):
-    scene, view = room(), view_of(orthographic=orthographic)
+@pytest.mark.parametrize("scale, section", [(1, None), (2, None), (2, (0.2, -0.4, 0.9, -0.1))])
+def test_depth(orthographic, scale, section):
+    scene, view = room(section), view_of(orthographic=orthographic)
     layout = core.DepthLayout(view, scale)
     texels, target = layout.texels(scene, view), gpu_backend().draw_depth(scene, view, layout)
     drawn, edges = target.read(4), target.read(2, slot=1)
@@ -63,6 +63,15 @@ def test_visibility(orthographic, scale, probes):
     assert on_gpu.dtype == np.float32 and on_gpu.shape == (frame.clipped.samples,)
     assert np.mean(on_gpu == on_cpu) > 0.999
     assert 0.2 < np.mean(on_gpu) < 0.9
+
+
+@pytest.mark.parametrize("orthographic", [False, True])
+def test_visibility_behind_a_section_plane(orthographic):
+    scene, view = room((0.2, -0.4, 0.9, -0.1)), view_of(orthographic=orthographic)
+    frame = frame_of(scene, view)
+    on_gpu, on_cpu = both(frame)
+    assert np.mean(on_gpu == on_cpu) > 0.999
+    assert np.mean((on_gpu >= 0.5) == (exact_samples(scene, view) >= 0.5)) > 0.95
 
 
 def test_agrees_with_exact_visibility():

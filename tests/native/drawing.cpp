@@ -4,9 +4,15 @@
 namespace fovea::drawing {
 using namespace draw;
 
+Scene cut_open(std::vector<Placement> placements, const std::optional<dvec4>& section) {
+    Scene scene(std::move(placements));
+    scene.section = section;
+    return scene;
+}
+
 Drawing::Drawing(std::vector<Placement> placements, const View& seen, const std::vector<LineSet>& sets,
-                 const ProjectOptions& options)
-    : scene(std::move(placements)),
+                 const ProjectOptions& options, const std::optional<dvec4>& section)
+    : scene(cut_open(std::move(placements), section)),
       view(seen),
       tracer(scene, view),
       paths(extract_paths(scene, view, sets, tracer, Cancel())),

@@ -44,6 +44,9 @@ Placement place(const meshes::Mesh& mesh, dmat4 object_to_world = dmat4(1.0), st
 dmat4 moved(dvec3 by);
 dmat4 scaled(dvec3 by);
 
+/// A scene that a plane (with a unit normal) cuts open.
+Scene cut_open(std::vector<Placement> placements, const std::optional<dvec4>& section);
+
 /// One picture, from placements to runs.
 struct Drawing {
     Scene scene;
@@ -54,7 +57,7 @@ struct Drawing {
     Runs runs;
 
     Drawing(std::vector<Placement> placements, const View& seen, const std::vector<LineSet>& sets,
-            const ProjectOptions& options = {});
+            const ProjectOptions& options = {}, const std::optional<dvec4>& section = {});
     Drawing(const Drawing&) = delete;
 
     /// Edges of a placement that are lines, each with its kinds; `none` is among them when an edge appears twice.

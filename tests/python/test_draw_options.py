@@ -96,6 +96,19 @@ def test_focus_is_a_place_or_an_object(text, where):
     assert draw_options.parse([f"--focus={text}"]).focus == where
 
 
+@pytest.mark.parametrize(
+    "text, where", [("0,0,1.2,0,0,1", (0, 0, 1.2, 0, 0, 1)), ("Cut", "Cut"), ("Wall, upper", "Wall, upper")]
+)
+def test_a_section_is_a_point_and_a_direction_or_an_object(text, where):
+    assert draw_options.parse(["office", "--section", text]).section == where
+
+
+def test_vectors_to_scale_keep_it_on_a_sheet_and_pixels_have_none(capsys, tmp_path):
+    out = ["boxes:2", "-o", str(tmp_path / "out.svg"), "--scale", "50"]
+    assert draw_options.vector_options(draw_options.parse([*out, "--paper", "a3"])) == {"sheet": "a3", "to_scale": True}
+    assert "--scale is of paper" in refused(capsys, *out, "--paper", "pixels")
+
+
 def test_how_visibility_is_found_is_the_scenes_choice_unless_it_is_named():
     options = draw_options.parse(["demo"])
     assert (options.visibility, options.probes, options.depth_scale, options.layers) == (None,) * 4
@@ -134,6 +147,10 @@ def test_how_visibility_is_found_is_the_scenes_choice_unless_it_is_named():
         (["--focus", "1,2,3,4"], "X,Y,Z in space, or an object's name"),
         (["--focus", "0.5,0.5", "--focus-painted", "focus"], "not allowed with"),
         (["--sheet", "--focus-painted", "focus"], "a sheet has no --focus-painted"),
+        (["--section", "0,0,1,0,0,0"], "has no direction"),
+        (["--section", "0,0,1,0,0,nan"], "not OBJECT or X,Y,Z,NX,NY,NZ"),
+        (["--scale", "0"], "meters to a meter on paper"),
+        (["--sheet", "--section", "Cut"], "a sheet has no --section"),
         (["--halo", "wide"], "'wide' is not a number of pixels"),
         (["--lens", "0"], "is not a number of millimeters from 1 to 5000"),
         *(([f"{name}={text}"], "is not a number of") for name in NUMBERS for text in ("nan", "inf", "-inf", "1e999")),

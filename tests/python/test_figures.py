@@ -25,6 +25,11 @@ def test_a_figure_is_drawn_by_words_that_draw_understands(name):
     assert any(shown)
 
 
+@pytest.mark.parametrize("name", figures.VECTORS)
+def test_a_figure_of_vectors_is_drawn_to_scale(name, tmp_path):
+    assert draw_options.parse([*figures.VECTORS[name], "-o", str(tmp_path / f"{name}.svg")]).scale
+
+
 TILES = [(sheet, label, words) for sheet, (_, tiles) in variants.SHEETS.items() for label, words in tiles]
 
 
@@ -48,14 +53,16 @@ def pictures_of(page):
 def test_readme_shows_the_demo_scene_and_the_page_of_figures_every_other_figure_once():
     first, *sheets = (f"{name}.jpg" for name in variants.SHEETS)
     assert pictures_of(README) == [f"blender_scripts/figures/{first}"]
-    assert pictures_of(PAGE) == [*(f"{name}.png" for name in figures.FIGURES), *sheets]
+    drawn = [*(f"{name}.png" for name in figures.FIGURES), *(f"{name}.svg" for name in figures.VECTORS)]
+    assert pictures_of(PAGE) == [*drawn, *sheets]
     assert {path.name for path in PICTURES} == {first, *pictures_of(PAGE)}
 
 
 @pytest.mark.parametrize("path", PICTURES, ids=lambda path: path.name)
 def test_figures_are_small_pictures(path):
     content = path.read_bytes()
-    assert content.startswith(b"\x89PNG\r\n\x1a\n" if path.suffix == ".png" else b"\xff\xd8\xff")
+    begins = {".png": b"\x89PNG\r\n\x1a\n", ".jpg": b"\xff\xd8\xff", ".svg": b"<?xml "}
+    assert content.startswith(begins[path.suffix])
     assert len(content) < 400_000
 
 

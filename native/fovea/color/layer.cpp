@@ -63,6 +63,7 @@ class Layer {
     Layer(const Tracer& tracer, const ColorShader& shader, const Cancel& cancel)
         : tracer_(tracer),
           view_(tracer.view()),
+          clip_to_view_(glm::inverse(view_.view_to_clip)),
           shader_(shader),
           cancel_(cancel),
           items_(tracer.scene(), view_, cancel) {}
@@ -149,6 +150,7 @@ class Layer {
             if (!ScreenTriangle::covers(here)) continue;
             const double found = triangles[i].screen.distance(here);
             if (found < view_.near_clip || found >= distance) continue;
+            if (tracer_.cuts_away(from_pixels(view_, clip_to_view_, px, found))) continue;
             nearest = &triangles[i];
             distance = found;
             share = here;
@@ -162,6 +164,7 @@ class Layer {
 
     const Tracer& tracer_;
     const View& view_;
+    dmat4 clip_to_view_;
     const ColorShader& shader_;
     const Cancel& cancel_;
     Items items_;

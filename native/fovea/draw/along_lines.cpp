@@ -10,6 +10,13 @@
 namespace fovea::draw {
 namespace {
 
+/// Values of a definition's parameters, those in millimeters of paper in reference pixels.
+Values on_page(const LineDefinition& definition, Values values, const style::Paper& paper) {
+    for (std::size_t i = 0; i < values.size(); ++i)
+        if (definition.parameters[i].unit == line::Unit::millimeters) values[i] *= paper.px_per_mm(1.0);
+    return values;
+}
+
 constexpr float most_density = 4.0f;  // factor on the pens' density where a map is white
 
 /// Calls visit(sample, path) for the samples of pieces that have runs.
@@ -44,7 +51,8 @@ std::vector<LineSet> line_sets_of(const style::Style& style, const Overrides& ov
         if (style.effects.lines != style::Mode::none)
             for (const auto& [name, parameters] : given.kinds) {
                 const Index definition = definition_index(name);
-                set.kinds.push_back({definition, values_of(*line_definitions()[definition], parameters)});
+                const LineDefinition& known = *line_definitions()[definition];
+                set.kinds.push_back({definition, on_page(known, values_of(known, parameters), style.paper)});
             }
         if (!overrides.line_sets.empty()) {
             set.placements = overrides.line_sets[sets.size()].placements;

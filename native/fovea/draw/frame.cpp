@@ -7,6 +7,7 @@
 
 #include <fovea/base/check.h>
 #include <fovea/color/map.h>
+#include <fovea/color/section_fill.h>
 #include <fovea/draw/along_lines.h>
 #include <fovea/draw/methods.h>
 #include <fovea/elision/figures.h>
@@ -159,7 +160,12 @@ void Frame::ink() {
         drawn = std::make_shared<Runs>(std::move(found));
         strokes = std::make_shared<Strokes>(strokes_with(shown));
     });
-    stage("strokes", 0.1, [&] { passes.lines = job.backend->draw(*this); });
+    stage("strokes", 0.1, [&] {
+        passes.lines = job.backend->draw(*this);
+        const style::Section& section = job.style.section;
+        if (section.filled)
+            fill_section(section_sides(*job.scene, job.view), job.view, vec3(section.color), passes.lines);
+    });
     done_ = Step::ink;
 }
 

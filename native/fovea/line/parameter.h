@@ -13,7 +13,7 @@
 
 namespace fovea::line {
 
-enum class Unit { none, degrees, pixels, boolean };
+enum class Unit { none, degrees, pixels, millimeters, boolean };  // pixels: reference pixels; millimeters: on paper
 
 /// Where a parameter can be set: per line set only, or with per-object overrides.
 enum class Per { line_set, object };

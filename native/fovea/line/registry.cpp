@@ -31,7 +31,9 @@
     define(topographic)                \
     define(intersection)               \
     define(image_edge)                 \
-    define(abstracted_shading)
+    define(abstracted_shading)         \
+    define(section)                    \
+    define(section_hatch)
 // clang-format on
 
 namespace fovea::line {

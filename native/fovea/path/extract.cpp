@@ -11,6 +11,7 @@
 #include <fovea/mesh/stretch.h>
 #include <fovea/path/append.h>
 #include <fovea/path/doubles.h>
+#include <fovea/scene/section.h>
 
 namespace fovea::path {
 namespace {
@@ -154,7 +155,8 @@ Paths extract_paths(const Scene& scene, const View& view, const std::vector<Line
     const auto drawn =
         parallel_collect<Index>(scene.placements.size(), 4096, [&](std::size_t begin, std::size_t end, auto& out) {
             for (auto i = static_cast<Index>(begin); i < end; ++i)
-                if ((scene.placements[i].usage & usage_draw) && in_frame(scene.placements[i], view, frame_margin))
+                if ((scene.placements[i].usage & usage_draw) && in_frame(scene.placements[i], view, frame_margin) &&
+                    cut_of(scene, scene.placements[i]).kept != Cut::nothing)
                     out.push_back(i);
         });
 

@@ -6,6 +6,7 @@
 #include <fovea/base/check.h>
 #include <fovea/project/backs.h>
 #include <fovea/project/clip.h>
+#include <fovea/scene/section.h>
 
 namespace fovea::project {
 namespace {
@@ -24,7 +25,8 @@ struct Projected {
     std::vector<dvec3> view;
     std::vector<dvec4> clip;
     std::vector<dvec2> px;              // of points in front of the near plane
-    std::vector<std::uint8_t> outside;  // per point: a bit per clip plane that it is outside of
+    std::vector<double> before;         // per point: distance before the section plane; empty: it cuts nothing
+    std::vector<std::uint8_t> outside;  // per point: a bit per clip plane that it is outside of; the last: the section
     std::uint8_t outside_all = 0, outside_any = 0;
     std::vector<ClipRange> has_pixels;  // per segment: the part in front of the near plane, and not beyond most_frames
     std::vector<double> length;         // per segment, in space
@@ -76,12 +78,14 @@ class Projector {
             object_to_view_ =
                 in_image ? dmat4(1.0) : view_.world_to_view * scene_.placements[placement].object_to_world;
             object_to_clip_ = view_.view_to_clip * object_to_view_;
+            cut_ = in_image ? Cut() : cut_of(scene_, scene_.placements[placement]);
         }
         const std::size_t count = end - begin;
         p_.view.resize(count);
         p_.clip.resize(count);
         p_.px.resize(count);
         p_.outside.resize(count);
+        p_.before.resize(cut_.kept == Cut::all ? 0 : count);
         p_.outside_all = 0xff;
         p_.outside_any = 0;
         for (std::size_t i = 0; i < count; ++i) {
@@ -89,6 +93,11 @@ class Projector {
             p_.view[i] = dvec3(object_to_view_ * point);
             p_.clip[i] = object_to_clip_ * point;
             p_.outside[i] = beyond(p_.view[i], p_.clip[i]);
+            if (!p_.before.empty()) {
+                // Lines in the plane, such as its own, stay.
+                p_.before[i] = cut_.before(paths_.points_obj[begin + i]) - cut_.slack;
+                p_.outside[i] |= (p_.before[i] > 0.0) << clip_planes;
+            }
             p_.outside_all &= p_.outside[i];
             p_.outside_any |= p_.outside[i];
             if (!(p_.outside[i] & 1)) p_.px[i] = to_pixels(view_, p_.clip[i]);
@@ -222,6 +231,7 @@ class Projector {
             ClipRange range;
             if (p_.outside[i] | p_.outside[i + 1])
                 range = clip_segment(p_.view[i], p_.view[i + 1], p_.clip[i], p_.clip[i + 1], view_, options_.margin);
+            if (!p_.before.empty()) clip_plane(-p_.before[i], -p_.before[i + 1], range);
             const bool visible = range.begin < range.end && is_near_frame(i, range.begin) &&
                                  is_near_frame(i, range.end) && !(backs_.any() && backs_.hold(paths_, path, begin + i));
             whole = whole && range.begin == 0.0 && range.end == 1.0;
@@ -321,6 +331,7 @@ class Projector {
     Projected p_;
     Index placement_ = none;  // whose transforms are set; none: view space
     dmat4 object_to_view_{1.0}, object_to_clip_{view_.view_to_clip};
+    Cut cut_;
     std::vector<Stop> stops_;  // of the piece that is being clipped
 };
 

@@ -22,9 +22,9 @@ struct ProjectOptions {
     std::vector<double> least_length_px{};
 };
 
-/// Clips paths in homogeneous coordinates at the near plane and at the widened frame, projects them, measures arc
-/// length over the whole path (zero at its middle in space) and lays out their samples contiguously. A path of one
-/// segment no longer than a sample is dropped. Cole 2009, section 5.1.2, "Projection and Clipping".
+/// Clips paths in homogeneous coordinates at the near plane, the section plane and the widened frame, projects them,
+/// measures arc length over the whole path (zero at its middle in space) and lays out their samples contiguously. A
+/// path of one segment no longer than a sample is dropped. Cole 2009, section 5.1.2, "Projection and Clipping".
 ClippedPaths project(const Paths& paths, const Scene& scene, const View& view, const ProjectOptions& options,
                      const Cancel& cancel);
 

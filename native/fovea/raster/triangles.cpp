@@ -56,7 +56,7 @@ bool covers_any(const RasterTriangle& t) {
     return false;
 }
 
-/// Sets the place of a triangle with these corners, in texels, after near-plane clipping. False if it covers no texel
+/// Sets the place of a triangle with these corners, in texels, after clipping. False if it covers no texel
 /// center, which of large ones is not always known. `away`: sign of the area of triangles to cull; 0: none.
 bool place_on_screen(const std::array<dvec2, 3>& corner, const RasterTarget& target, double away,
                      const std::array<bool, 3>& of_mesh, RasterTriangle& t) {
@@ -82,28 +82,44 @@ void append(RasterTriangle& placed, const std::array<dvec4, 3>& source, Array<Ra
     if (depth_plane(source, placed.plane)) out.push_back(placed);
 }
 
-/// Clips a triangle at the near plane (depth <= 1) and appends the result, at most two triangles. `inside`: per corner,
-/// w - depth w. `placed`: its mesh and number.
-void append_clipped(const std::array<dvec4, 3>& corner, const std::array<double, 3>& inside, const RasterTarget& target,
-                    double away, RasterTriangle placed, Array<RasterTriangle>& out) {
-    std::array<dvec2, 4> polygon;
-    std::array<bool, 4> of_mesh;  // per edge, from each corner to the next
+/// A corner of a clipped triangle.
+struct Corner {
+    dvec4 place;                   ///< homogeneous
+    std::array<double, 2> inside;  ///< how far beyond the near plane (w - depth w), and behind the section plane
+    bool of_mesh;                  ///< whether the edge to the next corner is the mesh's
+};
+
+struct Polygon {
+    std::array<Corner, 5> corner;
     int count = 0;
-    for (int i = 0; i < 3; ++i) {
-        const int j = (i + 1) % 3;
-        if (inside[i] >= 0.0) {
-            of_mesh[count] = true;
-            polygon[count++] = in_texels(corner[i]);
-        }
-        if ((inside[i] >= 0.0) != (inside[j] >= 0.0)) {
-            of_mesh[count] = inside[i] < 0.0;
-            polygon[count++] = in_texels(glm::mix(corner[i], corner[j], inside[i] / (inside[i] - inside[j])));
-        }
+};
+
+/// Sutherland & Hodgman, "Reentrant Polygon Clipping", CACM 1974, for one plane.
+Polygon clipped(const Polygon& whole, int plane) {
+    Polygon kept;
+    for (int i = 0; i < whole.count; ++i) {
+        const Corner &a = whole.corner[i], &b = whole.corner[(i + 1) % whole.count];
+        const double of_a = a.inside[plane], of_b = b.inside[plane];
+        if (of_a >= 0.0) kept.corner[kept.count++] = a;
+        if ((of_a >= 0.0) == (of_b >= 0.0)) continue;
+        const double t = of_a / (of_a - of_b);
+        Corner& cut = kept.corner[kept.count++];
+        cut = {glm::mix(a.place, b.place, t), {}, a.of_mesh && of_a < 0.0};
+        for (int k = 0; k < 2; ++k) cut.inside[k] = k == plane ? 0.0 : glm::mix(a.inside[k], b.inside[k], t);
     }
-    for (int i = 2; i < count; ++i)
-        if (place_on_screen({polygon[0], polygon[i - 1], polygon[i]}, target, away,
-                            {i == 2 && of_mesh[0], of_mesh[i - 1], i + 1 == count && of_mesh[i]}, placed))
-            append(placed, corner, out);
+    return kept;
+}
+
+/// Appends what both planes leave of a triangle, at most three triangles. `placed`: its mesh and number.
+void append_clipped(const std::array<Corner, 3>& whole, const RasterTarget& target, double away, RasterTriangle placed,
+                    Array<RasterTriangle>& out) {
+    const Polygon polygon = clipped(clipped({{whole[0], whole[1], whole[2]}, 3}, 0), 1);
+    const auto texel = [&](int i) { return in_texels(polygon.corner[i].place); };
+    const auto of_mesh = [&](int i) { return polygon.corner[i].of_mesh; };
+    for (int i = 2; i < polygon.count; ++i)
+        if (place_on_screen({texel(0), texel(i - 1), texel(i)}, target, away,
+                            {i == 2 && of_mesh(0), of_mesh(i - 1), i + 1 == polygon.count && of_mesh(i)}, placed))
+            append(placed, {whole[0].place, whole[1].place, whole[2].place}, out);
 }
 
 /// Unit of work: triangles [begin, end) of one mesh.
@@ -135,14 +151,14 @@ void check_vertices(const RasterMesh& mesh, const Block& block) {
 class Vertices {
    public:
     /// `asks`: how often vertices will be asked for.
-    Vertices(In<vec3> positions, const dmat4& to_texels, std::size_t asks)
-        : positions_(positions), to_texels_(to_texels), last_(std::bit_floor(std::min(most, asks)) - 1) {
+    Vertices(const RasterMesh& mesh, const dmat4& to_texels, std::size_t asks)
+        : mesh_(mesh), to_texels_(to_texels), last_(std::bit_floor(std::min(most, asks)) - 1) {
         for (std::size_t i = 0; i <= last_; ++i) kept_[i].vertex = none;
     }
 
     struct Kept {
         Index vertex;
-        double inside;  ///< w - depth w: not negative beyond the near plane
+        std::array<double, 2> inside;  ///< Corner::inside; not negative where it is kept
         dvec2 texel;
         dvec4 place;  ///< homogeneous
     };
@@ -150,15 +166,16 @@ class Vertices {
     const Kept& at(Index vertex) {
         Kept& kept = kept_[vertex & last_];
         if (kept.vertex != vertex) {
-            const dvec4 place = to_texels_ * dvec4(positions_[vertex], 1.0);
-            kept = {vertex, place.w - place.z, in_texels(place), place};
+            const dvec4 point(mesh_.positions[vertex], 1.0), place = to_texels_ * point;
+            kept = {
+                vertex, {place.w - place.z, mesh_.cut ? -glm::dot(*mesh_.cut, point) : 0.0}, in_texels(place), place};
         }
         return kept;
     }
 
    private:
     static constexpr std::size_t most = 512;
-    In<vec3> positions_;
+    const RasterMesh& mesh_;
     dmat4 to_texels_;
     std::size_t last_;
     std::array<Kept, most> kept_;  // by the last digits of their indices
@@ -172,29 +189,36 @@ void append_triangles(In<RasterMesh> meshes, const Block& block, const RasterTar
     dmat4 to_texels(1.0);
     to_texels[0][0] = to_texels[3][0] = 0.5 * target.width;
     to_texels[1][1] = to_texels[3][1] = 0.5 * target.height;
-    Vertices vertices(mesh.positions, to_texels * target.view_to_clip * mesh.object_to_view,
-                      3 * (block.end - block.begin));
+    Vertices vertices(mesh, to_texels * target.view_to_clip * mesh.object_to_view, 3 * (block.end - block.begin));
     const double away = away_sign(mesh);
     for (std::size_t i = block.begin; i < block.end; ++i) {
         const glm::uvec3& of = mesh.triangles[i];
-        std::array<double, 3> inside;
         std::array<dvec2, 3> texel;
+        int kept = 0, of_plane[2] = {0, 0};  // corners that both planes keep, and that each does
         for (int k = 0; k < 3; ++k) {
             const Vertices::Kept& vertex = vertices.at(of[k]);
-            inside[k] = vertex.inside;
+            const bool beyond = vertex.inside[0] >= 0.0, behind = vertex.inside[1] >= 0.0;
+            of_plane[0] += beyond;
+            of_plane[1] += behind;
+            kept += beyond && behind;
             texel[k] = vertex.texel;
         }
-        const auto kept = std::ranges::count_if(inside, [](double of_corner) { return of_corner >= 0.0; });
         const double cull = i < mesh.one_sided_from ? 0.0 : away;
         RasterTriangle placed;
-        if (kept == 0 || (kept == 3 && !place_on_screen(texel, target, cull, {true, true, true}, placed))) continue;
+        if (of_plane[0] == 0 || of_plane[1] == 0 ||
+            (kept == 3 && !place_on_screen(texel, target, cull, {true, true, true}, placed)))
+            continue;
         placed.mesh = block.mesh;
         placed.triangle = static_cast<Index>(i);
-        const std::array<dvec4, 3> corner{vertices.at(of[0]).place, vertices.at(of[1]).place, vertices.at(of[2]).place};
+        const auto corner = [&](int k) {
+            const Vertices::Kept& vertex = vertices.at(of[k]);
+            return Corner{vertex.place, vertex.inside, true};
+        };
+        const std::array<Corner, 3> corners{corner(0), corner(1), corner(2)};
         if (kept == 3)
-            append(placed, corner, out);
+            append(placed, {corners[0].place, corners[1].place, corners[2].place}, out);
         else
-            append_clipped(corner, inside, target, cull, placed, out);
+            append_clipped(corners, target, cull, placed, out);
     }
 }
 

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <functional>
+#include <optional>
 
 #include <fovea/base/parallel.h>
 #include <fovea/base/types.h>
@@ -19,6 +20,8 @@ struct RasterMesh {
     Index facet_base = 0;  ///< added to triangle_facet: facet index over the scene
     /// From this triangle on, back-facing ones are culled: they are not seen, or front-facing ones cover them.
     Index one_sided_from = none;
+    /// Section plane in object space: what is before it, where dot(cut, (p, 1)) is positive, is clipped.
+    std::optional<dvec4> cut = {};
 };
 
 /// A triangle in screen space, in texels. Edge functions are evaluated with the two ends in a fixed order, so triangles
@@ -27,8 +30,8 @@ struct RasterTriangle {
     std::array<dvec2, 3> corner;
     dvec3 plane;           ///< depth (base/view.h) = plane . (x, y, 1)
     Index mesh, triangle;  ///< index of the mesh, and of the triangle in it
-    /// Per edge, from corner i to corner i + 1: whether it is an edge of the source triangle. Edges made by near-plane
-    /// clipping and by cutting the clipped quadrilateral in two are not, as on the GPU.
+    /// Per edge, from corner i to corner i + 1: whether it is an edge of the source triangle. Edges made by near-
+    /// or section-plane clipping and by cutting the clipped polygon in two are not, as on the GPU.
     std::array<bool, 3> of_mesh;
     int x0, x1, y0, y1;  ///< texels whose centers are within the bounding box, x1 and y1 exclusive
 

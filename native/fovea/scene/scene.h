@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include <fovea/base/types.h>
 #include <fovea/base/view.h>
@@ -33,6 +34,9 @@ struct Scene {
     /// First facet of each placement in the scene-wide numbering: facet f of placement i is facet_base[i] + f, modulo
     /// 2^32.
     Array<Index> facet_base;
+    /// Section plane in world space, with a unit normal: where dot(section, (p, 1)) is positive, all is cut away
+    /// (section.h). Unset: nothing is.
+    std::optional<dvec4> section;
 
     Scene() = default;
     /// Placements whose transform flattens their surface get a thickness (flattened.h).

@@ -9,6 +9,7 @@
 #include <fovea/base/check.h>
 #include <fovea/base/parallel.h>
 #include <fovea/scene/bvh.h>
+#include <fovea/scene/section.h>
 
 namespace fovea::scene {
 namespace {
@@ -28,7 +29,11 @@ bool is_flat_and_convex(const Outline& quad) {
 }  // namespace
 
 Tracer::Tracer(const Scene& scene, const View& view)
-    : scene_(scene), view_(view), clip_to_view_(glm::inverse(view.view_to_clip)), bvh_(std::make_unique<Bvh>(scene)) {
+    : scene_(scene),
+      view_(view),
+      clip_to_view_(glm::inverse(view.view_to_clip)),
+      section_(section_in_view(scene, view)),
+      bvh_(std::make_unique<Bvh>(scene)) {
     bvh_->object_to_view.resize(scene.placements.size());
     bvh_->build(
         parallel_collect<Index>(scene.placements.size(), 4096, [&](std::size_t begin, std::size_t end, auto& hiding) {
@@ -36,7 +41,8 @@ Tracer::Tracer(const Scene& scene, const View& view)
                 const Placement& placement = scene.placements[i];
                 bvh_->object_to_view[i] = view.world_to_view * placement.object_to_world;
                 const bool hides = placement.usage & (usage_occlude | usage_holdout);
-                if (hides && placement.surface->occluding_triangles > 0 && in_frame(placement, view, 0.1))
+                if (hides && placement.surface->occluding_triangles > 0 && in_frame(placement, view, 0.1) &&
+                    cut_of(scene, placement).kept != Cut::nothing)
                     hiding.push_back(i);
             }
         }));
@@ -50,38 +56,80 @@ Ray Tracer::ray_to(const vec3& point) const {
     if (view_.orthographic) {
         const float near_z = static_cast<float>(-view_.near_clip), length = near_z - point.z;
         const float margin = static_cast<float>(ray_margin) * std::max(std::abs(point.z), glm::length(vec2(point)));
-        return {vec3(point.x, point.y, near_z), vec3(0, 0, -length), 0.0f,
-                length > margin ? 1.0f - margin / length : -1.0f};
+        return behind_section({vec3(point.x, point.y, near_z), vec3(0, 0, -length), 0.0f,
+                               length > margin ? 1.0f - margin / length : -1.0f});
     }
-    return {vec3(0.0f), point, static_cast<float>(view_.near_clip) / -point.z, static_cast<float>(1.0 - ray_margin)};
+    return behind_section(
+        {vec3(0.0f), point, static_cast<float>(view_.near_clip) / -point.z, static_cast<float>(1.0 - ray_margin)});
 }
 
 std::optional<Hit> Tracer::occluder(const vec3& point, const Ignore& ignore) const {
-    const Ray ray = ray_to(point);
-    if (ray.far_t <= ray.near_t) return {};
-    return bvh_->trace(ray, ignore);
+    return nearest(ray_to(point), ignore);
 }
 
 Ray Tracer::ray_beyond(const vec3& point) const {
     constexpr float infinity = std::numeric_limits<float>::infinity();
     if (view_.orthographic) {
         const float reach = std::max(std::abs(point.z), 1e-6f);
-        return {point, vec3(0, 0, -reach), static_cast<float>(ray_margin), infinity};
+        return behind_section({point, vec3(0, 0, -reach), static_cast<float>(ray_margin), infinity});
     }
-    return {vec3(0.0f), point, static_cast<float>(1.0 + ray_margin), infinity};
+    return behind_section({vec3(0.0f), point, static_cast<float>(1.0 + ray_margin), infinity});
+}
+
+bool Tracer::cuts_away(const dvec3& point) const {
+    return section_ && glm::dot(*section_, dvec4(point, 1.0)) > ray_margin * glm::length(point);
+}
+
+Ray Tracer::behind_section(Ray ray) const {
+    if (!section_) return ray;
+    const double before = glm::dot(*section_, dvec4(dvec3(ray.origin), 1.0));
+    const double rise = glm::dot(dvec3(*section_), dvec3(ray.direction));
+    // Half the margin, so that nothing hides a line in the plane.
+    const double t = -before / rise, margin = 0.5 * ray_margin * std::abs(t);
+    if (rise < 0.0)
+        ray.near_t = std::max(ray.near_t, static_cast<float>(t - margin));
+    else if (rise > 0.0)
+        ray.far_t = std::min(ray.far_t, static_cast<float>(t + margin));
+    else if (before > 0.0)
+        ray.far_t = ray.near_t;
+    return ray;
+}
+
+std::optional<Hit> Tracer::nearest(const Ray& ray, const Ignore& ignore) const {
+    if (ray.far_t <= ray.near_t) return {};
+    return bvh_->trace(ray, ignore);
+}
+
+/// Sutherland & Hodgman, "Reentrant Polygon Clipping", CACM 1974, for one plane.
+Outline Tracer::behind_section(const Outline& whole) const {
+    if (!section_) return whole;
+    const auto before = [&](const dvec3& point) {
+        return glm::dot(*section_, dvec4(point, 1.0)) - ray_margin * glm::length(point);
+    };
+    Outline kept = whole;
+    kept.count = 0;
+    for (int i = 0; i < whole.count; ++i) {
+        const dvec3 &a = whole.corners[i], &b = whole.corners[(i + 1) % whole.count];
+        const double of_a = before(a), of_b = before(b);
+        if (of_a <= 0.0) kept.corners[kept.count++] = a;
+        if ((of_a <= 0.0) != (of_b <= 0.0)) kept.corners[kept.count++] = glm::mix(a, b, of_a / (of_a - of_b));
+    }
+    if (kept.count < 3) kept.count = 0;
+    return kept;
 }
 
 std::optional<Hit> Tracer::behind(const vec3& point, const Ignore& ignore) const {
-    return bvh_->trace(ray_beyond(point), ignore);
+    return nearest(ray_beyond(point), ignore);
 }
 
 bool Tracer::continues_behind(const vec3& point, const Ignore& ignore, Index placement) const {
     constexpr Index few = 256;  // triangles that are asked in less time than other placements take to pass
     const Placement& own = scene_.placements[placement];
     const bool asked_first = own.group == 0 && own.surface->occluding_triangles <= few;
-    const auto nearest =
-        asked_first ? bvh_->trace_if_of(placement, ray_beyond(point), ignore) : bvh_->trace(ray_beyond(point), ignore);
-    return nearest && scene_.share_outline(nearest->placement, placement);
+    const Ray ray = ray_beyond(point);
+    if (ray.far_t <= ray.near_t) return false;
+    const auto hit = asked_first ? bvh_->trace_if_of(placement, ray, ignore) : bvh_->trace(ray, ignore);
+    return hit && scene_.share_outline(hit->placement, placement);
 }
 
 std::optional<Hit> Tracer::seen(const dvec2& px) const {
@@ -89,9 +137,9 @@ std::optional<Hit> Tracer::seen(const dvec2& px) const {
     constexpr float infinity = std::numeric_limits<float>::infinity();
     const auto near_distance = static_cast<float>(view_.near_clip);
     if (view_.orthographic)
-        return bvh_->trace({vec3(point.x, point.y, 0.0), vec3(0, 0, -1), near_distance, infinity}, {});
+        return nearest(behind_section({vec3(point.x, point.y, 0.0), vec3(0, 0, -1), near_distance, infinity}), {});
     // Direction scaled so that t is the distance along -z.
-    return bvh_->trace({vec3(0.0f), vec3(point / -point.z), near_distance, infinity}, {});
+    return nearest(behind_section({vec3(0.0f), vec3(point / -point.z), near_distance, infinity}), {});
 }
 
 void Tracer::check_current() const {
@@ -167,9 +215,9 @@ Outline Tracer::outline(const Hit& hit) const {
         if (shared != 2 || alone < 0) continue;
         const dvec3 opposite = corners(hit.placement, next)[beyond];
         const Outline quad{{c[alone], c[(alone + 1) % 3], opposite, c[(alone + 2) % 3]}, 4, hit.triangle, next};
-        if (is_flat_and_convex(quad)) return quad;
+        if (is_flat_and_convex(quad)) return behind_section(quad);
     }
-    return {{c[0], c[1], c[2]}, 3, hit.triangle};
+    return behind_section(Outline{{c[0], c[1], c[2]}, 3, hit.triangle});
 }
 
 }  // namespace fovea::scene

@@ -67,9 +67,9 @@ struct Hit {
     float u = 0.0f, v = 0.0f;
 };
 
-/// A planar convex polygon of three or four corners, in order, in view space.
+/// A planar convex polygon of three to five corners, in order, in view space; of none: nothing is known.
 struct Outline {
-    dvec3 corners[4];
+    dvec3 corners[5];
     int count = 3;
     Index triangle = none, other = none;  ///< the triangles that it consists of, indices into the hit's surface
 };
@@ -85,7 +85,8 @@ struct Ray {
 };
 
 /// Ray caster over two levels: one BVH per surface, cached with the surface, and one over the placements, in view
-/// space. Const methods are thread-safe. The scene must outlive the tracer.
+/// space. What the section plane cuts away is not there for rays. Const methods are thread-safe. The scene must outlive
+/// the tracer.
 class Tracer {
    public:
     struct Bvh;
@@ -125,8 +126,10 @@ class Tracer {
 
     const View& view() const { return view_; }
     const Scene& scene() const { return scene_; }
+    /// Whether the section plane cuts a point away (view space).
+    bool cuts_away(const dvec3& point) const;
     /// A planar convex piece around a hit: the triangle, or the quadrilateral that it forms with the next or
-    /// previous triangle of its facet.
+    /// previous triangle of its facet; without what the section plane cuts away.
     Outline outline(const Hit& hit) const;
 
    private:
@@ -137,11 +140,16 @@ class Tracer {
     Ray ray_to(const vec3& point) const;
     /// Ray from a point away from the eye.
     Ray ray_beyond(const vec3& point) const;
+    /// The part of a ray behind the section plane; empty where there is none.
+    Ray behind_section(Ray ray) const;
+    std::optional<Hit> nearest(const Ray& ray, const Ignore& ignore) const;
+    Outline behind_section(const Outline& whole) const;
     struct Count;
 
     const Scene& scene_;
     View view_;
     dmat4 clip_to_view_;
+    std::optional<dvec4> section_;  // in view space
     std::unique_ptr<Bvh> bvh_;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Paper and color layer, drawn under the lines.
+// Paper, color layer and the inside of sections, drawn under the lines.
 #pragma once
 
 #include <optional>
@@ -75,6 +75,18 @@ struct Color {
               "How unevenly washes dry, in flows and in blooms with dark rims", share},
         Field{"background", &Color::background, "Background", "Color behind everything, towards which colors fade",
               light}};
+};
+
+/// The inside of what the scene's section plane cuts.
+struct Section {
+    bool filled = false;
+    dvec3 color{0.0};
+
+    bool operator==(const Section&) const = default;
+
+    static constexpr std::tuple fields{
+        Field{"filled", &Section::filled, "Fill", "The inside of what the section plane cuts is filled (poche)"},
+        Field{"color", &Section::color, "Fill Color", "Color of the inside of what the section plane cuts", light}};
 };
 
 }  // namespace fovea::style

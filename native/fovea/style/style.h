@@ -33,15 +33,20 @@ struct Style {
     Distance distance;
     Color color;
     Elision elision;
+    Section section;
     std::vector<Unknown> kept;  ///< unknown values of its file, written back unchanged
 
     bool operator==(const Style&) const = default;
 
-    static constexpr std::tuple fields{
-        Field{"paper", &Style::paper},       Field{"line_sets", &Style::line_sets},
-        Field{"focus", &Style::focus},       Field{"effects", &Style::effects},
-        Field{"distance", &Style::distance}, Field{"color", &Style::color},
-        Field{"elision", &Style::elision},   Field{"kept", &Style::kept, "", "", {}, "", nullptr}};
+    static constexpr std::tuple fields{Field{"paper", &Style::paper},
+                                       Field{"line_sets", &Style::line_sets},
+                                       Field{"focus", &Style::focus},
+                                       Field{"effects", &Style::effects},
+                                       Field{"distance", &Style::distance},
+                                       Field{"color", &Style::color},
+                                       Field{"elision", &Style::elision},
+                                       Field{"section", &Style::section},
+                                       Field{"kept", &Style::kept, "", "", {}, "", nullptr}};
 
     /// Whether there is a color layer.
     bool has_color() const { return color.shading != Shading::plain && effects.colors != Mode::none; }

@@ -11,17 +11,12 @@
 #include <fovea/color/srgb.h>
 #include <fovea/vector/fit.h>
 #include <fovea/vector/plot.h>
+#include <fovea/vector/section.h>
 #include <fovea/vector/text.h>
 #include <fovea/vector/tracing.h>
 
 namespace fovea::vector {
 namespace {
-
-dvec3 displayed(const dvec3& linear) {
-    dvec3 color(0.0);
-    for (int c = 0; c < 3; ++c) color[c] = color::to_srgb(std::clamp(float(linear[c]), 0.0f, 1.0f));
-    return color;
-}
 
 /// Layers of the line sets, empty; what is not drawn is taken out later.
 std::vector<Layer> layers_of(const style::Style& style) {
@@ -173,7 +168,7 @@ Drawing compose(Frame& frame, const Options& asked) {
     document.size = page.size;
     document.in_pixels = options.sheet == Sheet::pixels;
     if (options.ground && !options.plotter) {
-        if (!frame.job.style.paper.transparent) document.paper = displayed(frame.job.style.paper.color);
+        if (!frame.job.style.paper.transparent) document.paper = color::displayed(frame.job.style.paper.color);
         document.image = image_of(frame, page);
     }
     const Cutting cutting = options.plotter                    ? Cutting::elision
@@ -186,6 +181,7 @@ Drawing compose(Frame& frame, const Options& asked) {
     if (options.plotter || options.dashes_apart) found.marks = dashes_apart(found.marks, tracing);
     document.layers = options.plotter ? plotted_layers(frame, found.marks, tracing, page.unit_mm)
                                       : drawn_layers(frame, found.marks, tracing);
+    if (!options.plotter) document.layers.insert(document.layers.begin(), section_layer(frame, page));
     take_out_empty(document.layers);
     if (options.plotter) number_labels(document.layers);
     made.figures.strokes = strokes.size();

@@ -15,6 +15,7 @@ enum class Widths : std::uint8_t { outline, center };
 struct Options {
     Sheet sheet = Sheet::page;
     double margin = 10.0;
+    bool to_scale = false;
     double tolerance = 0.02;
     Widths widths = Widths::outline;
     bool dashes_apart = false;
@@ -29,6 +30,8 @@ struct Options {
     static constexpr std::tuple fields{
         style::Field{"sheet", &Options::sheet, "Paper", "Size of the paper, which lies as the picture does"},
         style::Field{"margin", &Options::margin, "Margin", "Left free around the picture on a sheet of paper", length},
+        style::Field{"to_scale", &Options::to_scale, "To Scale",
+                     "On a sheet of paper, too, the picture is as large as the style's paper says"},
         style::Field{"tolerance", &Options::tolerance, "Tolerance",
                      "How far curves may lie beside the lines that they stand for; below 0.002: no curves", deviation},
         style::Field{"widths", &Options::widths, "Changing Widths", "What becomes of strokes whose width changes"},

@@ -17,8 +17,12 @@ struct Page {
     dvec2 place(const dvec2& px) const { return lower + scale * px; }
 };
 
-/// The picture as large as the margins of a sheet leave room for, in its middle; a sheet lies as the picture does, on
-/// its long side or its short one. Throws std::invalid_argument if the margins leave none.
+/// Width and height of an upright sheet of paper [mm]; zero for those without a size of their own.
+dvec2 sheet_size(Sheet sheet);
+
+/// The picture in the middle of a sheet, as large as its margins leave room for, or to scale as large as it is on the
+/// style's paper; a sheet lies as the picture does, on its long side or its short one. Throws std::invalid_argument if
+/// the margins leave no room, or less than the picture takes to scale.
 Page page_of(const View& view, const style::Paper& paper, const Options& options);
 
 }  // namespace fovea::vector

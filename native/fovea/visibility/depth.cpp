@@ -5,6 +5,7 @@
 
 #include <fovea/base/check.h>
 #include <fovea/scene/bodies.h>
+#include <fovea/scene/section.h>
 #include <fovea/visibility/triangle_edges.h>
 
 namespace fovea::visibility {
@@ -139,15 +140,19 @@ std::vector<Occluder> occluders(const Scene& scene, const View& view, double mar
     std::vector<Occluder> result;
     for (Index i = 0; i < scene.placements.size(); ++i) {
         const Placement& placement = scene.placements[i];
-        if ((placement.usage & usage_occlude) && placement.surface->occluding_triangles > 0 &&
-            in_frame(placement, view, margin))
-            result.push_back({i, view.world_to_view * placement.object_to_world, false});
+        if (!(placement.usage & usage_occlude) || placement.surface->occluding_triangles == 0 ||
+            !in_frame(placement, view, margin))
+            continue;
+        const Cut cut = cut_of(scene, placement);
+        if (cut.kept == Cut::nothing) continue;
+        result.push_back({i, view.world_to_view * placement.object_to_world, false});
+        if (cut.kept == Cut::part) result.back().cut = cut.plane;
     }
     parallel_for(result.size(), 1, [&](std::size_t i) {
         const Placement& placement = scene.placements[result[i].placement];
         const Sphere sphere = bounding_sphere(placement, view);
         const bool beyond_near = -sphere.center.z - sphere.radius > view.near_clip;
-        result[i].solid = beyond_near && bodies_of(*placement.surface)->all_outward;
+        result[i].solid = beyond_near && !result[i].cut && bodies_of(*placement.surface)->all_outward;
     });
     return result;
 }
@@ -171,7 +176,7 @@ std::vector<RasterMesh> depth_meshes(const Scene& scene, In<Occluder> occluders)
         const Surface& surface = *scene.placements[occluder.placement].surface;
         meshes.push_back({surface.positions, In<glm::uvec3>(surface.triangles).first(surface.occluding_triangles),
                           In<Index>(surface.triangle_facet).first(surface.occluding_triangles), occluder.object_to_view,
-                          scene.facet_base[occluder.placement], occluder.one_sided_from(surface)});
+                          scene.facet_base[occluder.placement], occluder.one_sided_from(surface), occluder.cut});
     }
     return meshes;
 }

@@ -70,12 +70,13 @@ RasterTarget raster_target(const View& view, const DepthBuffer& layout);
 struct Occluder {
     Index placement;
     dmat4 object_to_view;
-    bool solid;  ///< closed, outward-facing bodies (scene/bodies.h), entirely beyond the near plane
+    bool solid;                     ///< closed, outward-facing bodies (scene/bodies.h), which no clip plane opens
+    std::optional<dvec4> cut = {};  ///< RasterMesh::cut
     /// The first of its triangles whose backs need not be drawn, or must not be.
     Index one_sided_from(const Surface& surface) const { return solid ? 0 : surface.two_sided_triangles; }
 };
 
-/// Placements with occluding triangles in the frame widened by `margin`.
+/// Placements with occluding triangles in the frame widened by `margin` that the section plane does not cut away.
 std::vector<Occluder> occluders(const Scene& scene, const View& view, double margin);
 
 /// Greatest distance of occluders along the view axis; 0 without occluders.
@@ -85,9 +86,9 @@ double depth_reach(const Scene& scene, const View& view, double margin);
 std::vector<RasterMesh> depth_meshes(const Scene& scene, In<Occluder> occluders);
 std::vector<RasterMesh> depth_meshes(const Scene& scene, const View& view, double margin);
 
-/// Rasterizes triangles into a layout (depth_layout, or a tile). They are clipped at the near plane, not at the far
-/// plane. At equal depth the lower facet wins. Triangles without area on the screen or with a non-finite coordinate are
-/// skipped. Throws std::invalid_argument on indices out of range.
+/// Rasterizes triangles into a layout (depth_layout, or a tile). They are clipped at the near plane and at
+/// their section plane, not at the far plane. At equal depth the lower facet wins. Triangles without area on the screen
+/// or with a non-finite coordinate are skipped. Throws std::invalid_argument on indices out of range.
 DepthBuffer draw_depth(DepthBuffer layout, const View& view, In<RasterMesh> meshes, const Cancel* cancel = nullptr);
 
 }  // namespace fovea::visibility

@@ -43,7 +43,8 @@ Interval Shadow::hides(const dvec3& a, const dvec3& b) const {
 Occluding::Occluding(const Tracer& tracer, const Hit& hit) : placement_(hit.placement) {
     const Outline outline = tracer.outline(hit);
     const View& view = tracer.view();
-    shadow_ = Shadow({outline.corners, std::size_t(outline.count)}, view.orthographic, view.near_clip, ray_margin);
+    if (outline.count > 0)
+        shadow_ = Shadow({outline.corners, std::size_t(outline.count)}, view.orthographic, view.near_clip, ray_margin);
     triangle_ = outline.triangle;
     other_ = outline.other;
 }

@@ -17,7 +17,7 @@ struct Interval {
     bool holds(double t) const { return begin <= t && t <= end; }
 };
 
-/// The shadow volume of a flat convex polygon of three or four corners, with the eye as the light: bounded by the
+/// The shadow volume of a flat convex polygon of three to five corners, with the eye as the light: bounded by the
 /// planes through the eye (view-space origin; along z for an orthographic camera) and the polygon's sides, and by the
 /// polygon's own plane. Convex, so its intersection with a segment is one interval.
 class Shadow {
@@ -35,7 +35,7 @@ class Shadow {
     Interval hides(const dvec3& a, const dvec3& b) const;
 
    private:
-    dvec4 planes_[5];  // positive inside; the polygon's own plane first
+    dvec4 planes_[6];  // positive inside; the polygon's own plane first
     int count_ = 0;
     bool usable_ = false;
 };
