@@ -11,7 +11,7 @@ from ..scene import own_lines, repair
 from ..scene.property_kinds import SHARE, choice, new_group, number, part, pointer, redraw, switch, text, whole_number
 from ..scene.shapes import SHAPES
 from ..style import style_data, style_read
-from . import gpu_context, methods
+from . import gpu_context, methods, passes
 
 
 def style_of(scene):
@@ -25,6 +25,14 @@ def style_of(scene):
     transparent = chosen.paper.transparent or scene.render.film_transparent
     paper = chosen.paper.replace(transparent=transparent)
     return chosen.replace(paper=paper, focus=focus_settings.focus_of(scene.fovea))
+
+
+def line_set_names(scene):
+    """Names of the line sets that renders of a scene may draw, whatever its mix is at some frame."""
+    tree, other = style_data.of(scene), scene.fovea.mixed_style
+    sets = list(tree.fovea.line_sets if tree else style_data.default().line_sets)
+    sets += other.fovea.line_sets if style_data.is_style(other) else ()
+    return [line_set.name for line_set in sets]
 
 
 def density_map(scene):
@@ -154,6 +162,7 @@ def register():
         (bpy.types.Object, _object_group(kinds)),
         (bpy.types.Material, _material_group()),
         (bpy.types.Collection, _collection_group()),
+        (bpy.types.ViewLayer, passes.layer_group()),
     ]
     for owner, group in _registered:
         bpy.utils.register_class(group)
