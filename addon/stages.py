@@ -37,4 +37,10 @@ class Image:
     depth: np.ndarray | None = None  # (H, W) float32, distance along the view direction
     color: np.ndarray | None = None  # (H, W, 4) float32, the color layer alone
     focus: np.ndarray | None = None  # (H, W) float32 in [0, 1], 0: in focus
+    # native/fovea/draw/line_passes.h:
+    hidden_lines: np.ndarray | None = None  # (H, W, 4) float32
+    line_sets: dict = field(default_factory=dict)  # {name: (H, W, 4) float32}
+    line_depth: np.ndarray | None = None  # (H, W) float32, distance along the view direction
+    line_id: np.ndarray | None = None  # (H, W) float32
+    mattes: list = field(default_factory=list)  # (H, W, 4) float32, two ranks each: id, coverage, id, coverage
     statistics: dict = field(default_factory=dict)

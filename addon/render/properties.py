@@ -11,7 +11,7 @@ from ..scene import followed, own_lines, repair, section
 from ..scene.property_kinds import SHARE, choice, new_group, number, part, pointer, redraw, switch, text, whole_number
 from ..scene.shapes import SHAPES
 from ..style import style_data, style_read
-from . import drawing_scale, gpu_context, lines_over, methods
+from . import drawing_scale, gpu_context, lines_over, methods, passes
 
 
 def style_of(scene, styled=None):
@@ -39,6 +39,14 @@ def style_drawn(depsgraph):
 def _styled(depsgraph):
     """The evaluated scene whose style a depsgraph's renders draw: one that follows another may have its own."""
     return depsgraph.scene_eval if style_data.of(depsgraph.scene_eval) else followed.evaluated(depsgraph)
+
+
+def line_set_names(scene):
+    """Names of the line sets that renders of a scene may draw, whatever its mix is at some frame."""
+    tree, other = style_data.of(scene), scene.fovea.mixed_style
+    sets = list(tree.fovea.line_sets if tree else style_data.default().line_sets)
+    sets += other.fovea.line_sets if style_data.is_style(other) else ()
+    return [line_set.name for line_set in sets]
 
 
 def density_map(depsgraph):
@@ -177,6 +185,7 @@ def register():
         (bpy.types.Object, _object_group(kinds)),
         (bpy.types.Material, _material_group()),
         (bpy.types.Collection, _collection_group()),
+        (bpy.types.ViewLayer, passes.layer_group()),
     ]
     for owner, group in _registered:
         bpy.utils.register_class(group)

@@ -18,19 +18,11 @@ from ..scene import camera, followed, kept, scene, surfaces
 from ..scene.operator import TOLD
 from ..scene.problem import CannotDraw
 from ..style import freestyle
-from . import methods, near_frames, properties, reading, stage_labels
+from . import methods, near_frames, passes, properties, reading, stage_labels
 
 _log = logging.getLogger(__package__)
 readers = {}  # depsgraph mode -> Reader
 _statistics, _remarked = {}, set()  # and remarks that were reported already
-
-PASSES = {  # besides Combined: number of channels, their names, type
-    "Lines": (4, "RGBA", "COLOR"),
-    "Color": (4, "RGBA", "COLOR"),
-    "Focus": (1, "X", "VALUE"),
-    "Depth": (1, "Z", "VALUE"),
-}
-
 
 def last_statistics():
     """Statistics of the last picture: stages {name: ms}; backend; visibility, the method in words; strokes and
@@ -40,22 +32,17 @@ def last_statistics():
 
 
 def wanted_passes(scene_, layer):
-    """{name of a pass: whether renders of a view layer have it}."""
+    """{Pass: names that it has in renders of a view layer, or []}."""
     chosen = None if followed.follows(scene_) else _style_of(scene_)
-    return {
-        "Lines": True,
-        "Color": bool(chosen and chosen.has_color()),
-        "Focus": bool(chosen and chosen.focus.active()),
-        "Depth": layer.use_pass_z,
-    }
+    return passes.wanted(layer, chosen, properties.line_set_names(scene_) if chosen else ())
 
 
 def register_passes(engine, scene_, layer):
-    wanted = wanted_passes(scene_, layer)
     engine.register_pass(scene_, layer, "Combined", 4, "RGBA", "COLOR")
-    for name, channels in PASSES.items():
-        if wanted[name]:
-            engine.register_pass(scene_, layer, name, *channels)
+    for each, names in wanted_passes(scene_, layer).items():
+        for name in names:
+            kind = "COLOR" if len(each.channels) == 4 else "VALUE"
+            engine.register_pass(scene_, layer, name, len(each.channels), each.channels, kind)
 
 
 def _style_of(scene_):
@@ -71,12 +58,14 @@ def render(engine, depsgraph):
     report_once(engine, freestyle.OVER if freestyle.is_on(depsgraph.scene) else None)
     what = f"a picture of {engine.resolution_x} x {engine.resolution_y} pixels"
     with reported(lambda message: engine.report({"ERROR"}, message), what):
-        image = final_image(engine, depsgraph)
-        if image is not None:
-            passes = {"Combined": image.combined, "Lines": image.lines, "Depth": image.depth}
-            passes |= {"Color": image.color, "Focus": image.focus}
-            del image
-            _hand_over(engine, depsgraph.view_layer, passes)
+        if made := final(engine, depsgraph):
+            note_statistics(*made)
+            layer, objects = depsgraph.view_layer, made[0].snapshot.drawn
+            filled = passes.filled(made[1], layer, properties.line_set_names(depsgraph.scene))
+            del made
+            _hand_over(engine, layer, filled)
+            if layer.use_pass_cryptomatte_object:
+                passes.tell_names(engine, layer, objects)
         kept.trim()
 
 
@@ -125,13 +114,13 @@ def final_image(engine, depsgraph, **how):
 def final(engine, depsgraph, make=draw, *, lines_alone=False, tell=None):
     """(Read, result of `make`, seconds spent on neighboring frames) for a final render of the depsgraph's scene, or
     None if the user canceled it. `make`: called with the arguments of `draw`. `lines_alone`: without colors and without
-    the focus and depth passes. `tell(share, stage)` receives the progress; None: Blender's progress bar does."""
+    passes but Lines. `tell(share, stage)` receives the progress; None: Blender's progress bar does."""
     view, tell = camera.of_render(engine, depsgraph), tell or partial(_progress, engine)
     core, settings, chosen = native.load(), followed.of(depsgraph.scene).fovea, properties.style_drawn(depsgraph)
     backend, visibility = methods.choose(engine, settings, in_viewport=False)
     report_once(engine, engine.note)
     lines_alone = lines_alone or followed.follows(depsgraph.scene)
-    asked = {} if lines_alone else {"with_depth": depsgraph.view_layer.use_pass_z, "with_focus": True}
+    asked = {} if lines_alone else passes.options(depsgraph.view_layer)
     options = pipeline.options(visibility=visibility, **asked, **methods.quality(settings))
     cancel = core.Cancel()
     with watched(engine, cancel), cancel:
@@ -228,19 +217,19 @@ def note_statistics(found, image, near_s=0.0):
     )
 
 
-def _hand_over(engine, layer, passes):
-    """Passes {name: (H, W) or (H, W, 4)} of one view layer to Blender. Empties the dict to save memory: Blender holds
-    each pass twice until it has merged them."""
-    for name, (count, channels, _) in PASSES.items():
-        if passes[name] is not None:
-            engine.add_pass(name, count, channels, layer=layer.name)
-    height, width = passes["Combined"].shape[:2]
+def _hand_over(engine, layer, filled):
+    """Passes {name: (channels, pixels)} of one view layer to Blender: (H, W) or (H, W, 4). Empties the dict to save
+    memory: Blender holds each pass twice until it has merged them."""
+    height, width = filled["Combined"][1].shape[:2]
+    for name, (channels, _) in filled.items():
+        if name != "Combined":
+            engine.add_pass(name, len(channels), channels, layer=layer.name)
     result = engine.begin_result(0, 0, width, height, layer=layer.name, view=engine.active_view_get())
     for render_pass in result.layers[0].passes:
-        pixels = passes.pop(render_pass.name, None)
-        if pixels is not None:
+        if render_pass.name in filled:
+            _, pixels = filled.pop(render_pass.name)
             render_pass.rect.foreach_set(np.ascontiguousarray(pixels, np.float32).ravel())
-    del pixels
+            del pixels
     engine.end_result(result)
 
 

@@ -16,6 +16,7 @@ STAGES = {  # stages as the core and session.py name them -> labels
     "focus": "Focus and Its Effects",
     "paper": "Paper",
     "depth": "Depth Pass",
+    "passes": "Passes of Lines",
 }
 
 

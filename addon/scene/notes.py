@@ -32,6 +32,7 @@ class Gathering:
             importance=snapshot.of_origins("importance", np.float32),
             painted=painted,
             objects=[origin.owners for origin in snapshot.origins],
+            names=[origin.object for origin in snapshot.origins],
             objects_of_placement=snapshot.origin_of_placement,
             density_map=image and self._cache.images.texture(image),
             **line_filters.of(self._core, self._line_sets, snapshot),

@@ -11,12 +11,6 @@ from ..style import style_data
 from .common import FoveaPanel, fold, fold_switch
 from .lines import SCOPES
 
-ABSENT = {  # pass -> why renders do not have it
-    "Color": "the style has no color layer",
-    "Focus": "there is no place to look at",
-    "Depth": "it is off",
-}
-
 
 class OBJECT_PT_fovea(FoveaPanel, bpy.types.Panel):
     bl_label = "Line Drawing"
@@ -127,10 +121,17 @@ class VIEWLAYER_PT_fovea(FoveaPanel, bpy.types.Panel):
     bl_context = "view_layer"
 
     def show(self, layout, context):
-        layout.prop(context.view_layer, "use_pass_z", text="Depth")
-        layout.separator()
-        column = layout.column(align=True)
-        for name, wanted in session.wanted_passes(context.scene, context.view_layer).items():
-            row = column.row()
-            row.active = wanted
-            row.label(text=name if wanted else f"{name}: {ABSENT[name]}", icon="CHECKMARK" if wanted else "BLANK1")
+        layer, told = context.view_layer, layout.column(align=True)
+        for each, names in session.wanted_passes(context.scene, layer).items():
+            if each.switch:
+                owner, _, name = each.switch.rpartition(".")
+                layout.prop(layer.path_resolve(owner) if owner else layer, name, text=each.label)
+                if names and each.image == "mattes":
+                    layout.prop(layer, "pass_cryptomatte_depth", text="Levels")
+                for name in names if each.image == "line_sets" else ():
+                    layout.label(text=name, icon="DOT")
+            else:
+                row = told.row()
+                row.active = bool(names)
+                text = each.label if names else f"{each.label}: {each.lacking}"
+                row.label(text=text, icon="CHECKMARK" if names else "BLANK1")

@@ -5,6 +5,7 @@
 #include <pybind11/typing.h>
 
 #include <fovea/draw/ahead.h>
+#include <fovea/draw/cryptomatte.h>
 #include <fovea/draw/polylines.h>
 #include <fovea/visibility/exact.h>
 
@@ -95,12 +96,18 @@ std::optional<Numpy<T>> image(Array<T>& pixels, const View& view) {
     return pixels.empty() ? std::nullopt : std::optional(to_image(std::exchange(pixels, {}), view.width, view.height));
 }
 
-py::typing::Dict<std::string, std::optional<py::array_t<float>>> passes(Frame& frame) {
+py::typing::Dict<std::string, py::object> passes(Frame& frame) {
     const View& view = frame.job.view;
     Picture& p = frame.passes;
+    py::dict line_sets;
+    for (auto& [name, pixels] : p.of_lines.line_sets) line_sets[py::str(name)] = image(pixels, view);
+    py::list mattes;
+    for (Array<vec4>& pixels : p.of_lines.mattes) mattes.append(image(pixels, view));
     return py::dict(py::arg("combined") = image(p.combined, view), py::arg("lines") = image(p.lines, view),
                     py::arg("color") = image(p.color, view), py::arg("focus") = image(p.focus, view),
-                    py::arg("depth") = image(p.depth, view));
+                    py::arg("depth") = image(p.depth, view), py::arg("hidden_lines") = image(p.of_lines.hidden, view),
+                    py::arg("line_sets") = line_sets, py::arg("line_depth") = image(p.of_lines.depth, view),
+                    py::arg("line_id") = image(p.of_lines.id, view), py::arg("mattes") = mattes);
 }
 
 void bind_backend(py::module_& m) {
@@ -141,6 +148,8 @@ void bind_parts(py::module_& m) {
     bind_record<Options>(m, "Options",
                          "Numbers of the method that are not the style's; see native/fovea/draw/options.h.");
     m.attr("VISIBILITY") = choices<Visibility>();
+    m.def("murmur_hash", &murmur_hash, py::arg("name"), "Cryptomatte's hash of a name.");
+    m.def("cryptomatte_id", &cryptomatte_id, py::arg("name"), "Bits of the float that stands for a name in mattes.");
     py::class_<Assets, std::shared_ptr<Assets>>(m, "Assets", "Pen textures and papers that ship, by name.")
         .def(py::init<std::filesystem::path>(), py::arg("folder"));
     py::class_<ColorSources>(m, "ColorSources", "Where the colors of a scene come from.")
@@ -169,7 +178,9 @@ stage.)")
         .def("thin", &Frame::thin, NoGil())
         .def("ink", &Frame::ink, NoGil())
         .def("picture", &Frame::picture, NoGil())
-        .def("passes", &passes, "{name: pixels, or None}; they are handed over, once.")
+        .def("passes", &passes,
+             "{name: pixels, or None}, of line_sets {name of the set: pixels}, of mattes [pixels]; they are handed over, "
+             "once.")
         .def("thins", &Frame::thins)
         .def("shown_lines", &Frame::shown_lines, NoGil())
         .def(

@@ -27,7 +27,8 @@ void add_parameters(OwnLines& lines, const std::string& name, const ByParameter&
 
 OwningOverrides make_overrides(const Optional<float>& importance,
                                const std::map<std::string, std::vector<Optional<float>>>& painted,
-                               std::vector<std::vector<std::string>> objects, const Optional<Index>& of_placement,
+                               std::vector<std::vector<std::string>> objects, std::vector<std::string> names,
+                               const Optional<Index>& of_placement,
                                std::shared_ptr<ColorTexture> density_map,
                                const std::vector<Optional<std::uint8_t>>& placements,
                                const std::vector<std::optional<MaterialFilter>>& materials,
@@ -39,7 +40,9 @@ OwningOverrides make_overrides(const Optional<float>& importance,
     for (const auto& [attribute, arrays] : painted)
         for (const auto& array : arrays)
             overrides.painted[attribute].push_back(kept<float>(array, "painted", made.owners));
+    check(names.empty() || names.size() == objects.size(), "names: one per entry of `objects` expected");
     overrides.objects = std::move(objects);
+    overrides.names = std::move(names);
     overrides.objects_of_placement = kept<Index>(of_placement, "objects_of_placement", made.owners);
     for (const Index i : overrides.objects_of_placement)
         check(i < overrides.objects.size(), "objects_of_placement: numbers of `objects` expected");
@@ -69,12 +72,13 @@ void bind_overrides(py::module_& m) {
              "mask_of_placement (n,) uint32; masks: uint8 by the material's number, 0: its faces have no lines.");
     py::class_<OwningOverrides>(m, "Overrides", "What an artist has said of a scene's n placements.")
         .def(py::init(&make_overrides), py::kw_only(), py::arg("importance") = py::none(),
-             py::arg("painted") = py::dict(), py::arg("objects") = py::list(),
+             py::arg("painted") = py::dict(), py::arg("objects") = py::list(), py::arg("names") = py::list(),
              py::arg("objects_of_placement") = py::none(), py::arg("density_map") = py::none(),
              py::arg("placements") = py::list(), py::arg("materials") = py::list(), py::arg("shown") = py::none(),
              py::arg("parameters") = py::dict(), py::arg("lined") = py::none(),
              R"(importance: (n,) float32 in [0, 1]; painted: {attribute: n arrays (C,) float32 at the mesh's corners, or
-None}; objects: lists of names, and objects_of_placement (n,) uint32: the list of each; density_map: over the camera's
+None}; objects: lists of names, names: of each of these the object's own, for mattes, and objects_of_placement (n,)
+uint32: the list of each; density_map: over the camera's
 frame. By line set: placements (n,) uint8 whose lines are for it, and materials whose faces' lines are, None: all. Of all
 sets: shown (n,) uint32 registry bits of what each placement shows, parameters {definition: {parameter: (n,) float64 that
 placements have instead, NaN: none}}, and lined: the materials that have lines at all.)");

@@ -144,4 +144,5 @@ def owners(scene):
         obj.fovea,
         obj.active_material.fovea,
         obj.users_collection[0].fovea,
+        bpy.context.view_layer.fovea,
     ]

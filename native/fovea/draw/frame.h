@@ -12,6 +12,7 @@
 
 #include <fovea/color/layer.h>
 #include <fovea/draw/backend.h>
+#include <fovea/draw/line_passes.h>
 #include <fovea/draw/options.h>
 #include <fovea/draw/overrides.h>
 #include <fovea/draw/pens.h>
@@ -56,6 +57,7 @@ struct Picture {
     Array<vec4> color;   ///< the color layer alone
     Array<float> focus;  ///< in [0, 1], 0: in focus
     Array<float> depth;  ///< along the view axis; background_depth for background
+    LinePasses of_lines;
 };
 
 /// The computation of one picture. Each step first runs the steps before it that have not run yet. May throw Cancelled,

@@ -43,6 +43,12 @@ struct Options {
     int focus_step = 1;       ///< drafts: spacing [px] at which focus is evaluated for the color layer
     bool with_depth = false;  ///< whether to make the depth pass
     bool with_focus = false;  ///< whether to make the focus pass, if the style has focus
+    // Passes of line_passes.h:
+    bool with_hidden = false;
+    bool with_line_sets = false;
+    bool with_line_depth = false;
+    bool with_line_id = false;
+    int matte_ranks = 0;  ///< objects per pixel that a Cryptomatte tells apart; 0: none is made
 
     bool operator==(const Options&) const = default;
 
@@ -67,7 +73,12 @@ struct Options {
         style::Field{"all_paths", &Options::all_paths},
         style::Field{"focus_step", &Options::focus_step, "", "", style::number(1, 1000, 8)},
         style::Field{"with_depth", &Options::with_depth},
-        style::Field{"with_focus", &Options::with_focus}};
+        style::Field{"with_focus", &Options::with_focus},
+        style::Field{"with_hidden", &Options::with_hidden},
+        style::Field{"with_line_sets", &Options::with_line_sets},
+        style::Field{"with_line_depth", &Options::with_line_depth},
+        style::Field{"with_line_id", &Options::with_line_id},
+        style::Field{"matte_ranks", &Options::matte_ranks, "", "", style::number(0, 16, 16)}};
 };
 
 /// Throws std::invalid_argument, naming the option, for a number out of its range.

@@ -21,6 +21,8 @@ struct Overrides {
     std::map<std::string, Painted> painted;
     /// Not per placement: lists of names, of an object and of what instanced it.
     std::vector<std::vector<std::string>> objects;
+    /// The name of each of these objects alone, for mattes; empty: nothing has a name.
+    std::vector<std::string> names;
     /// The list of each placement. Borrowed.
     In<Index> objects_of_placement;
     /// Density map over the camera's frame; null: the pens' spacing.

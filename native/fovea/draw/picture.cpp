@@ -70,6 +70,7 @@ void Frame::picture() {
             depth();
             passes.depth = std::move(depth_);
         });
+    if (wants_line_passes(job.options)) stage("passes", 0.05, [&] { passes.of_lines = line_passes(*this); });
     done_ = Step::picture;
 }
 
