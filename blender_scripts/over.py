@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Lines over the render of another engine, for `fovea draw --over`: the engine, its samples, and light where a scene has
-none."""
+"""Lines over the render of another engine, for `fovea draw --over`: the engine, its samples, and light where a scene
+has none."""
 
 import addon_utils
 import bpy
-from bl_ext.user_default.fovea.render import lines_over
+from bl_ext.user_default.fovea.render import lines_over, lines_over_check
 from command import model_files
 from scenes import stage
 
@@ -14,6 +14,7 @@ ENGINES = {  # --over -> the engine's name in Blender, the first of them that th
     "workbench": ("BLENDER_WORKBENCH",),
 }
 SAMPLES = {"cycles": 32, "eevee": 16}  # to a pixel, of what is no Blender file
+SUN = 0.7  # factor on suns, which scenes have for Fovea's plain shading
 SKY = (0.3, 0.33, 0.37)  # of the world of what is no Blender file, scene-linear
 
 
@@ -23,7 +24,9 @@ def set_up(scene, options):
     if not model_files.is_blend(options.scene):
         light(scene)
     set_samples(scene, options)
-    lines_over.put(scene)
+    lines_over.repair(scene)
+    for sentence in lines_over_check.problems(scene):
+        raise ValueError(f"--over {options.over}: {sentence}")
     node = lines_over.node(scene, lines_over.OVER)
     if options.blend:
         node.inputs["Multiply"].default_value = float(options.blend == "multiply")
@@ -44,7 +47,7 @@ def set_engine(scene, name):
 
 
 def light(scene):
-    """A sky, and a sun unless there is a light."""
+    """A sky, and suns that are not too bright together with it: one if there is no light."""
     scene.world = scene.world or bpy.data.worlds.new("World")
     scene.world.color = SKY
     if scene.world.node_tree is None:
@@ -53,11 +56,23 @@ def light(scene):
         background.inputs["Color"].default_value = (*SKY, 1.0)
     if not any(obj.type == "LIGHT" for obj in scene.objects):
         stage.sun(-60, 50)
+    for obj in scene.objects:
+        if obj.type == "LIGHT" and obj.data.type == "SUN":
+            obj.data.energy *= SUN
+
+
+def can_denoise():
+    """Whether this Blender's Cycles has a denoiser; asked to denoise without one, it renders nothing."""
+    import _cycles  # of the add-on that is enabled by now
+
+    return _cycles.with_openimagedenoise
 
 
 def set_samples(scene, options):
     """Those of --samples; else those of a Blender file, or few where it is none."""
     keeps = model_files.is_blend(options.scene)
+    if options.over == "cycles" and not (keeps and can_denoise()):
+        scene.cycles.use_denoising = False
     samples = int(options.samples) if options.samples else None if keeps else SAMPLES.get(options.over)
     if samples and options.over == "cycles":
         scene.cycles.device, scene.cycles.samples = "CPU", samples

@@ -18,6 +18,7 @@ sys.path.insert(0, str(Path(__file__).parent))
 
 import draw
 import ending
+import over
 import picture
 import sheet
 from command import draw_options, pages, quantities
@@ -60,13 +61,21 @@ def situation(name, path):
     return scene_in_colors(name, pages.SITUATIONS[name], pages.SITUATIONS_SIZE, path)
 
 
+def over_render(name, path):
+    """(H, W, 3) picture of the demo scene by another engine, with lines over it, supersampled by 2."""
+    return scene_in_colors("demo", pages.OVER[name], pages.OVER_SIZE, path)
+
+
 def scene_in_colors(name, shown, size, path, crop=None):
     """(H, W, 3) picture of a scene or model, supersampled by 2. `shown`: a pages.Stage; `crop`: arguments of `magnify`."""
     open_model(name)
     scene = bpy.context.scene
     width, height = quantities.frame_size(size)
     words = [*shown.words, "--size", f"{2 * width}x{2 * height}", "-o", str(path)]
-    set_drawing(scene, draw_options.parse(words), shown.settings)
+    options = draw_options.parse(words)
+    set_drawing(scene, options, shown.settings)
+    if options.over:
+        over.set_up(scene, options)
     if crop:
         magnify(scene, *crop)
     picture.render(scene, path)
@@ -108,7 +117,8 @@ def plot(name, path):
 
 
 DRAWN_BY = {
-    "lines": line, "sections": section, "way": stage, "focus": stage, "strokes": stroke, "situations": situation, "transfers": plot,
+    "lines": line, "sections": section, "way": stage, "focus": stage, "strokes": stroke, "situations": situation,
+    "over": over_render, "transfers": plot,
 }  # fmt: skip
 
 

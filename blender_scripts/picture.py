@@ -3,6 +3,7 @@
 
 import bpy
 import numpy as np
+from bl_ext.user_default.fovea.render import lines_scenes
 from bl_ext.user_default.fovea.render.whole_pictures import is_whole, literal
 from command import output
 
@@ -17,6 +18,8 @@ def render(scene, path):
             if fresh.name in str(error):
                 raise  # drawn, but not written: handled by `written`
             raise ValueError(str(error)) from error
+        if why := lines_scenes.failure(scene):
+            raise ValueError(why)
 
 
 def pixels(path):

@@ -6,6 +6,7 @@ import bpy
 from . import compositor
 
 NAME = "Fovea Lines Over"
+KEY = "fovea_group"  # custom property; the name `fovea` is that of our own settings
 _SHARE = {"subtype": "FACTOR", "min_value": 0.0, "max_value": 1.0}
 INPUTS = {  # socket -> (type, members)
     "Image": ("NodeSocketColor", {"default_value": (0.0, 0.0, 0.0, 0.0)}),
@@ -17,7 +18,7 @@ INPUTS = {  # socket -> (type, members)
 
 def found():
     """The group of this file, or None."""
-    groups = (tree for tree in bpy.data.node_groups if tree.library is None and tree.get("fovea") == NAME)
+    groups = (tree for tree in bpy.data.node_groups if tree.library is None and tree.get(KEY) == NAME)
     return next(groups, None)
 
 
@@ -29,7 +30,7 @@ def make():
     if made := found():
         return made
     made = bpy.data.node_groups.new(NAME, "CompositorNodeTree")
-    made["fovea"] = NAME
+    made[KEY] = NAME
     for name, (kind, members) in INPUTS.items():
         socket = made.interface.new_socket(name, in_out="INPUT", socket_type=kind)
         for member, value in members.items():

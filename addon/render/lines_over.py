@@ -9,7 +9,7 @@ from ..scene.operator import Operator
 from ..scene.problem import CannotDraw
 from . import compositor, lines_group, lines_scenes
 
-MARK = "fovea"  # custom property of nodes
+MARK = "fovea_node"  # custom property of nodes
 LINES, OVER, PLAIN, FRAME = "lines", "over", "plain", "frame"  # its values; PLAIN: nodes of a tree that was made here
 
 
@@ -51,6 +51,12 @@ def put(scene):
     layer.layer = lines.view_layers[0].name
     lines.view_layers[0].update_render_passes()
     _link(tree, scene, over, layer)
+
+
+def repair(scene):
+    """As `put`, with what Blender must do for it switched on."""
+    put(scene)
+    scene.render.use_compositing, scene.render.use_single_layer = True, False
 
 
 def _own_tree(scene):
@@ -124,7 +130,7 @@ class FOVEA_OT_lines_over(_OfPicture, bpy.types.Operator):
     """Draw Fovea's lines over what this engine renders, in every render and animation. It adds a scene that draws the
     lines, and nodes to the compositor"""
 
-    bl_idname, bl_label = "fovea.lines_over", "Draw Lines over Renders"
+    bl_idname, bl_label = "fovea.lines_over", "Draw Lines Over Renders"
 
     @staticmethod
     def hindrance_of(scene):
@@ -137,7 +143,7 @@ class FOVEA_OT_lines_over(_OfPicture, bpy.types.Operator):
 class FOVEA_OT_lines_over_remove(_OfPicture, bpy.types.Operator):
     """Draw no lines over the renders any more: remove the scene that draws them and its nodes"""
 
-    bl_idname, bl_label = "fovea.lines_over_remove", "Remove Lines over Renders"
+    bl_idname, bl_label = "fovea.lines_over_remove", "Remove Lines Over Renders"
 
     @staticmethod
     def hindrance_of(scene):
@@ -150,10 +156,8 @@ class FOVEA_OT_lines_over_remove(_OfPicture, bpy.types.Operator):
 class FOVEA_OT_lines_over_repair(_OfPicture, bpy.types.Operator):
     """Put back what the lines over the renders need and what has been removed, switched off or changed"""
 
-    bl_idname, bl_label = "fovea.lines_over_repair", "Repair Lines over Renders"
+    bl_idname, bl_label = "fovea.lines_over_repair", "Repair Lines Over Renders"
     hindrance_of = FOVEA_OT_lines_over_remove.hindrance_of
 
     def act(self, context):
-        put(context.scene)
-        render = context.scene.render
-        render.use_compositing, render.use_single_layer = True, False
+        repair(context.scene)

@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What keeps lines from a scene's renders is told when a render begins; scenes that draw lines are kept in step with the
-ones they follow as those are changed. Handlers of renders run beside Blender's interface and change no data there."""
-
-import sys
+"""What keeps lines from a scene's renders is told when a render begins; scenes that draw lines are kept in step with
+those they follow as these are changed. Handlers of renders run beside Blender's interface and change no data there."""
 
 import bpy
 from bpy.app.handlers import persistent
@@ -53,7 +51,18 @@ def _tell(scene, *_):
     if lines and bpy.app.background:  # the render is in Blender's main thread
         lines_scenes.follow(lines)
     for sentence in problems(scene):
-        print(f"\033[31mFovea draws no lines over '{scene.name}': {sentence}\033[0m", file=sys.stdout, flush=True)
+        _print(scene, sentence)
+
+
+@persistent
+def _tell_failure(scene, *_):
+    """A frame is rendered."""
+    if sentence := lines_scenes.failure(scene):
+        _print(scene, sentence)
+
+
+def _print(scene, sentence):
+    print(f"\033[31mFovea draws no lines over '{scene.name}': {sentence}\033[0m", flush=True)
 
 
 @persistent
@@ -63,7 +72,7 @@ def _follow(*_):
             lines_scenes.follow(lines)
 
 
-HANDLERS = {"render_init": _tell, "load_post": _follow, "depsgraph_update_post": _follow}
+HANDLERS = {"render_init": _tell, "render_post": _tell_failure, "load_post": _follow, "depsgraph_update_post": _follow}
 
 
 def register():

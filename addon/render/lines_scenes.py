@@ -13,6 +13,20 @@ OF_RENDER = (
 FIXED = {"engine": ENGINE, "film_transparent": True, "use_freestyle": False, "use_sequencer": False}
 
 
+_failures = {}  # name of a scene that draws lines -> why its last render did not
+
+
+def note(lines, sentence):
+    """Notes why a scene that draws lines did not; None: it is about to."""
+    _failures[lines.name] = sentence
+
+
+def failure(scene):
+    """Why no lines lie over a scene's last render, or None. Blender itself tells nobody: the picture is rendered."""
+    lines = of(scene)
+    return _failures.get(lines.name) if lines else None
+
+
 def of(scene):
     """The scene that draws a scene's lines, or None."""
     return next((other for other in bpy.data.scenes if other.fovea.lines_of == scene and other.library is None), None)
@@ -23,6 +37,7 @@ def make(scene):
     made = bpy.data.scenes.new(f"{scene.name} Lines")
     made.fovea.lines_of = made.background_set = scene
     made.view_layers[0].name = "Lines"
+    made.eevee.taa_render_samples = 1  # Blender renders scenes whose engine is missing by EEVEE
     follow(made)
     return made
 

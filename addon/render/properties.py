@@ -95,6 +95,7 @@ OCCLUSIONS = [
 
 def _scene_group():
     of_style = {"type": bpy.types.NodeTree, "poll": lambda _settings, tree: style_data.is_style(tree)}
+    follows = "The scene over whose pictures this one draws lines"
     lies = "How lines lie over what another engine renders"
     told = "Another style, into which the drawing may go over: lines of both go from pen to pen, others fade"
     annotations = {
@@ -105,7 +106,7 @@ def _scene_group():
         **methods.properties(),
         **focus_settings.annotations(),
         "lines_blend": choice("Blend", lies, items=BLENDS, get=lines_over.blend, set=lines_over.set_blend),
-        "lines_of": pointer("Lines Of", "The scene over whose pictures this one draws lines", type=bpy.types.Scene),
+        "lines_of": pointer("Lines Of", follows, type=bpy.types.Scene, options={"HIDDEN"}),
         **section.annotations(),
         **drawing_scale.annotations(),
     }

@@ -18,7 +18,7 @@ from ..scene import camera, followed, kept, scene, surfaces
 from ..scene.operator import TOLD
 from ..scene.problem import CannotDraw
 from ..style import freestyle
-from . import methods, near_frames, passes, properties, reading, stage_labels
+from . import lines_scenes, methods, near_frames, passes, properties, reading, stage_labels
 
 _log = logging.getLogger(__package__)
 readers = {}  # depsgraph mode -> Reader
@@ -57,7 +57,15 @@ def render(engine, depsgraph):
     """Draws one view layer of a final render. On an error no result is passed on, so Blender writes no file."""
     report_once(engine, freestyle.OVER if freestyle.is_on(depsgraph.scene) else None)
     what = f"a picture of {engine.resolution_x} x {engine.resolution_y} pixels"
-    with reported(lambda message: engine.report({"ERROR"}, message), what):
+    if followed.follows(depsgraph.scene):
+        lines_scenes.note(depsgraph.scene, None)
+
+    def tell(message):
+        engine.report({"ERROR"}, message)
+        if followed.follows(depsgraph.scene):
+            lines_scenes.note(depsgraph.scene, message)
+
+    with reported(tell, what):
         if made := final(engine, depsgraph):
             note_statistics(*made)
             layer, objects = depsgraph.view_layer, made[0].snapshot.drawn

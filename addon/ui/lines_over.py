@@ -4,7 +4,7 @@ below."""
 
 import bpy
 
-from ..render import lines_over, lines_over_check
+from ..render import lines_over, lines_over_check, lines_scenes
 from ..scene import followed
 from .common import ENGINE, FoveaPanel
 from .effects import RENDER_PT_fovea_effects
@@ -37,7 +37,8 @@ class RENDER_PT_fovea_lines_over(FoveaPanel, bpy.types.Panel):
         scene, over = context.scene, lines_over.node(context.scene, lines_over.OVER)
         if not lines_over.is_on(scene):
             return
-        for sentence in lines_over_check.problems(scene):
+        failure = lines_scenes.failure(scene)
+        for sentence in (*lines_over_check.problems(scene), *((f"Last render: {failure}",) if failure else ())):
             layout.label(text=f"{sentence[0].upper()}{sentence[1:]}", icon="ERROR")
         if over:
             layout.prop(scene.fovea, "lines_blend")

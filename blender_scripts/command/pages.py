@@ -116,6 +116,12 @@ SITUATIONS = {  # scene of scenes/ -> its picture
     "lettering": Stage(("--style", "plain")),
     "night": Stage(("--style", "watercolor"), _DARK),
 }
+OVER_SIZE = "560x315"
+_RENDERED = ("--over", "cycles", "--samples", "32", "--style", "pen_and_ink", "--no-elision")
+OVER = {  # how lines lie over a render of the demo scene -> its picture
+    "cycles": Stage(_RENDERED, {"pen.width": 3.2}),
+    "multiply": Stage(("--over", "workbench", "--style", "pencil", "--blend", "multiply"), {"pen.width": 5.0}),
+}
 SECTIONS_SIZE = "960x540"
 SECTIONS = {  # picture -> its scene or model, and how that is drawn
     "plan": ("office", Stage(variants.PLAN)),
@@ -145,7 +151,8 @@ STEPS = ("1_engine", "2_rendered", "3_style", "4_focus", "5_pull")  # pictures o
 
 # Name -> {picture: its description}; each group is a folder of addon/docs.
 GROUPS = {
-    "lines": LINES, "sections": SECTIONS, "way": WAY, "focus": FOCUS, "strokes": STROKES, "situations": SITUATIONS, "transfers": TRANSFERS,
+    "lines": LINES, "sections": SECTIONS, "way": WAY, "focus": FOCUS, "strokes": STROKES, "situations": SITUATIONS,
+    "over": OVER, "transfers": TRANSFERS,
 }  # fmt: skip
 
 

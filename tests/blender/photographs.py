@@ -26,7 +26,7 @@ def photograph(engine):
         pytest.skip("OpenGL is unusable here")
     white = shader_material("White", "ShaderNodeEmission")
     white.diffuse_color = white.node_tree.nodes["Emission"].inputs["Color"].default_value = (1, 1, 1, 1)
-    bpy.ops.mesh.primitive_uv_sphere_add(segments=192, ring_count=96, radius=RADIUS)
+    bpy.ops.mesh.primitive_uv_sphere_add(segments=128, ring_count=64, radius=RADIUS)
     sphere = bpy.context.object
     sphere.data.shade_smooth()
     boxes = [new_object(box_mesh(HALF), "Box", (side * ASIDE, 0, 0)) for side in (-1, 1)]

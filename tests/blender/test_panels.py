@@ -25,13 +25,13 @@ def test_panels_draw_with_the_engine_and_for_a_style(scene):
     assert {"Style", "Focus", "Visibility", "Performance"} <= labels and "Lines" not in labels
     assert any("as it ships" in title for title in shown_by().titles)
     scene.render.engine = "BLENDER_WORKBENCH"
-    assert drawn_panels() == []
+    assert [cls.bl_label for cls in drawn_panels()] == ["Fovea Lines"]
 
 
 def test_a_style_is_edited_in_the_sidebar_whichever_engine_draws(scene):
     scene.render.engine = "BLENDER_WORKBENCH"
     scene.view_settings.view_transform = "AgX"
-    assert [cls.bl_label for cls in drawn_panels()] == ["Style", "Focus", "Lines"]
+    assert [cls.bl_label for cls in drawn_panels()] == ["Style", "Focus", "Lines", "Fovea Lines"]
     assert not any("paper gray" in title for title in shown_by().titles)
 
 
@@ -187,6 +187,10 @@ def test_every_setting_is_in_a_panel(scene):
                 fovea = bpy.context.object.fovea
                 fovea.curvature_estimator, fovea.repair_resample, fovea.refine = estimator, resample, True
                 shown |= {(type(owner), name) for owner, name in shown_by().props}
+    with_lines_over(scene)
+    over = part("ui.lines_over")
+    layout = shown_by(over.RENDER_PT_fovea_lines_over)
+    shown |= {(type(owner), name) for owner, name in layout.props}
     layout = RecordingLayout()
     viewport.show(None, layout, context())
     shown |= {(type(owner), name) for owner, name in layout.props}
@@ -198,6 +202,27 @@ def test_every_setting_is_in_a_panel(scene):
                 and not is_group(prop)
             ):
                 assert (type(owner), prop.identifier) in shown, prop.identifier
+
+
+def with_lines_over(scene):
+    scene.render.engine = "BLENDER_WORKBENCH"
+    assert bpy.ops.fovea.lines_over() == {"FINISHED"}
+
+
+def test_lines_over_renders_have_the_panels_of_style_and_lines_below_their_own(scene):
+    over = part("ui.lines_over")
+    scene.render.engine = "BLENDER_WORKBENCH"
+    before = shown_by(over.RENDER_PT_fovea_lines_over)
+    assert before.operators == ["fovea.lines_over"] and not any(cls.poll(context()) for cls in over._registered)
+    with_lines_over(scene)
+    after = shown_by(over.RENDER_PT_fovea_lines_over)
+    assert after.operators == ["fovea.lines_over_remove", "fovea.lines_over_repair"]
+    assert {"lines_blend", "default_value"} <= set(after.shown)
+    below = [cls for cls in over._registered if cls.poll(context())]
+    assert {"Style", "Lines", "Focus"} <= {cls.bl_label for cls in below}
+    assert "width" in shown_by(*below).shown
+    scene.render.engine = "FOVEA"
+    assert not any(cls.poll(context()) for cls in (over.RENDER_PT_fovea_lines_over, *over._registered))
 
 
 def is_group(prop):

@@ -118,9 +118,12 @@ def test_a_line_is_shown_by_words_that_draw_understands(name):
         scenes.parse(shown.model)
 
 
-@pytest.mark.parametrize("name", [*pages.WAY, *pages.FOCUS])
+STAGES = pages.WAY | pages.FOCUS | pages.OVER
+
+
+@pytest.mark.parametrize("name", STAGES)
 def test_a_stage_is_shown_by_words_that_draw_understands(name):
-    shown = (pages.WAY | pages.FOCUS)[name]
+    shown = STAGES[name]
     options = draw_options.parse(list(shown.words))
     assert options.style in style.names() and set(options.lines or ()) <= set(DEFINITIONS)
 

@@ -10,7 +10,8 @@ sys.path.append(str(Path(__file__).parents[1] / "blender"))
 import bpy
 import numpy as np
 from focus_scenarios import opened
-from the_addon import part
+from picture import pixels
+from the_addon import part, use_style
 from watch import Watch
 from window import screen
 
@@ -61,3 +62,38 @@ def line_layer(_folder):
         bpy.ops.fovea.render_lines("INVOKE_DEFAULT")
     yield from screen.rest(0.5)
     return told | {"again": shown(), "windows": len(bpy.context.window_manager.windows)}
+
+
+def lines_over(folder):
+    """Lines over another engine's render by F12, which runs beside the interface, and by a script; then undo."""
+    scene = yield from opened("BLENDER_WORKBENCH")
+    over, scenes = part("render.lines_over"), part("render.lines_scenes")
+    scene.render.resolution_x, scene.render.resolution_y = 96, 64
+    scene.render.dither_intensity = 0.0
+    use_style(scene, "plain").line_sets[-1].pen.width = 60.0
+    scene.render.image_settings.file_format = "PNG"
+    paths = [Path(folder) / f"{name}.png" for name in ("photo", "script", "f12")]
+    photo, script, f12 = map(str, paths)
+    scene.render.filepath = photo
+    bpy.ops.render.render(write_still=True)
+    with screen.override():
+        told = {"done": bpy.ops.fovea.lines_over("EXEC_DEFAULT", True) == {"FINISHED"}}
+    yield from screen.rest(0.3)
+    scene.render.filepath = script
+    bpy.ops.render.render(write_still=True)
+    with screen.override():
+        bpy.ops.render.render("INVOKE_DEFAULT")
+    yield from screen.until(lambda: bpy.app.is_job_running("RENDER"))
+    yield from screen.until(lambda: not bpy.app.is_job_running("RENDER"))
+    next(image for image in bpy.data.images if image.type == "RENDER_RESULT").save_render(f12, scene=scene)
+    scene.render.use_border = True
+    yield from screen.rest(0.3)
+    told["in_step"] = scenes.of(scene).render.use_border
+    plain, with_lines, again = (pixels(path) for path in paths)
+    told["lines"] = float(np.abs(with_lines - plain).max())
+    told["apart"] = float(np.abs(again - with_lines).max())
+    with screen.override():
+        bpy.ops.ed.undo()
+    yield from screen.rest(0.3)
+    scene = bpy.context.scene
+    return told | {"left": over.is_on(scene), "scenes": len(bpy.data.scenes), "engine": scene.render.engine}
