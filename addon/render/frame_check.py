@@ -25,9 +25,7 @@ def check(folders, frames=()):
     that are not whole or, though recorded, not there; changed: of those that differ from their record; different:
     [{frame, a, b, max_difference}], paths and the largest difference of a value, None where the sizes differ."""
     found = [_frames(Path(folder)) for folder in folders]
-    wanted = sorted(
-        {*(range(frames[0], frames[1] + 1) if frames else ()), *(frame for each in found for frame in each)}
-    )
+    wanted = sorted({*frames, *(frame for each in found for frame in each)})
     result = {"equal": True, "frames": len(wanted), "missing": {}, "broken": [], "changed": [], "different": []}
     for folder, each in zip(folders, found):
         if absent := [frame for frame in wanted if frame not in each]:
