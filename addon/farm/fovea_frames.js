@@ -10,7 +10,7 @@ const JOB_TYPE = {
          evalInfo: {showLinkButton: true, description: "Scene frame range"},
          description: "Frames of the animation: 1-250 or 1-100,150"},
         {key: "chunk_size", type: "int32", default: 10, propargs: {min: 1}, visible: "submission",
-         description: "Frames of one task; 16 or more where Line Thinning is smoothed over frames"},
+         description: "Frames of one task; each task starts Blender once"},
         {key: "output", type: "string", subtype: "file_path", required: true, visible: "submission",
          eval: "str(abspath(C.scene.render.filepath))", description: "Place of the frames, with ###### for their number"},
         {key: "backend", type: "string", choices: ["cpu", "gpu"], default: "cpu", visible: "submission",
@@ -26,13 +26,6 @@ function settingUp(settings) {
         "from bl_ext.user_default.fovea.render import whole_frames; whole_frames.switch_on()";
 }
 
-// An animation where they are in a row, whose lines of neighboring frames are found once.
-function framesOf(chunk) {
-    const ends = chunk.split("-");
-    if (chunk.indexOf(",") >= 0) return ["--render-frame", chunk.replace(/-/g, "..")];
-    return ["--frame-start", ends[0], "--frame-end", ends[ends.length - 1], "--frame-jump", "1", "--render-anim"];
-}
-
 function compileJob(job) {
     const settings = job.settings;
     const check = author.Task("check", "misc");
@@ -43,7 +36,7 @@ function compileJob(job) {
             exeArgs: "{blenderArgs}",
             argsBefore: ["--python-exit-code", "1", "--python-expr", settingUp(settings)],
             blendfile: settings.blendfile,
-            args: ["--render-output", settings.output].concat(framesOf(chunk)),
+            args: ["--render-output", settings.output, "--render-frame", chunk.replace(/-/g, "..")],
         }));
         check.addDependency(task);
         job.addTask(task);
