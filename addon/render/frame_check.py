@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Checks folders of rendered frames: that each is whole, as it was recorded, and in both of two folders the same.
 
-Also as a command of Blender's, for farms: `blender --command fovea_check FOLDER [FOLDER] [--frames A-B]`."""
+Also as a command of Blender's, for farms: `blender --command fovea_check FOLDER [FOLDER] [--frames A-B,C]`."""
 
 import argparse
 import re
@@ -18,16 +18,14 @@ COMMAND = "fovea_check"
 PICTURES = (*whole_pictures.ENDS, ".jpeg", ".tif", ".tiff", ".bmp", ".tga", ".jp2")
 
 
-def check(folders, frames=None):
-    """A dict of what is found in one or two folders. `frames`: (first, last) that have to be there, or None.
+def check(folders, frames=()):
+    """A dict of what is found in one or two folders. `frames`: numbers of those that have to be there.
 
     equal: whether nothing below is found; frames: how many there are; missing: {folder: frames}; broken: paths of files
     that are not whole or, though recorded, not there; changed: of those that differ from their record; different:
     [{frame, a, b, max_difference}], paths and the largest difference of a value, None where the sizes differ."""
     found = [_frames(Path(folder)) for folder in folders]
-    wanted = sorted(
-        {*(range(frames[0], frames[1] + 1) if frames else ()), *(frame for each in found for frame in each)}
-    )
+    wanted = sorted({*frames, *(frame for each in found for frame in each)})
     result = {"equal": True, "frames": len(wanted), "missing": {}, "broken": [], "changed": [], "different": []}
     for folder, each in zip(folders, found):
         if absent := [frame for frame in wanted if frame not in each]:
@@ -115,15 +113,16 @@ def _ranges(frames):
     return ", ".join(str(a) if a == b else f"{a}-{b}" for a, b in runs)
 
 
-def _first_and_last(text):
-    first, _, last = text.partition("-")
-    return int(first), int(last or first)
+def _numbers(text):
+    """Frames from 1-100,150."""
+    ends = [[int(end) for end in part.split("-")] for part in text.split(",")]
+    return [frame for part in ends for frame in range(part[0], part[-1] + 1)]
 
 
 def _command(words):
     parser = argparse.ArgumentParser(f"blender --command {COMMAND}")
     parser.add_argument("folders", nargs="+", metavar="FOLDER", help="one, or two whose frames are compared")
-    parser.add_argument("--frames", type=_first_and_last, metavar="A-B", help="that have to be there")
+    parser.add_argument("--frames", type=_numbers, default=(), metavar="A-B,C", help="that have to be there")
     options = parser.parse_args(words)
     if len(options.folders) > 2:
         parser.error("one folder is looked at, or two are compared")

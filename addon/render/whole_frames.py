@@ -164,10 +164,16 @@ HANDLERS = {
 }
 
 
+def switch_on():
+    """As FOVEA_ATOMIC does, for scripts of farms whose tasks have no environment of their own."""
+    for name, handler in HANDLERS.items():
+        if handler not in getattr(bpy.app.handlers, name):
+            getattr(bpy.app.handlers, name).append(handler)
+
+
 def register():
     if bpy.app.background and os.environ.get("FOVEA_ATOMIC") == "1":
-        for name, handler in HANDLERS.items():
-            getattr(bpy.app.handlers, name).append(handler)
+        switch_on()
 
 
 def unregister():

@@ -36,14 +36,14 @@ def pair(tmp_path):
 
 
 def test_equal_frames_are_equal_whatever_their_names(pair):
-    found = check.check(pair, (1, 3))
+    found = check.check(pair, range(1, 4))
     assert found["equal"] and list(check.sentences(found)) == ["3 frames: all as they should be"]
 
 
 def test_frames_that_are_not_there_are_told(pair):
     (pair[1] / "b_0002.png").unlink()
     write(pair[0] / "a_0007.png", 0.5)
-    found = check.check(pair, (1, 5))
+    found = check.check(pair, range(1, 6))
     assert found["missing"] == {str(pair[0]): [4, 5], str(pair[1]): [4, 5, 7]} and not found["equal"]
     told = [f"{pair[0]} lacks frames 4-5", f"{pair[1]} lacks frames 4-5, 7", f"{pair[1] / 'b_0002.png'} is not there"]
     assert list(check.sentences(found)) == [*told, "6 frames: not as they should be"]
@@ -68,7 +68,7 @@ def test_how_much_frames_differ_is_told(pair):
 def test_without_records_frames_are_told_by_their_names(pair):
     for folder in pair:
         (folder / ".fovea" / "frames.jsonl").unlink()
-    assert check.check(pair, (1, 3))["equal"]
+    assert check.check(pair, range(1, 4))["equal"]
 
 
 def test_a_folder_that_is_not_there_is_refused(tmp_path):

@@ -5,12 +5,17 @@ import os
 import shutil
 import signal
 import subprocess
+import sys
 from pathlib import Path
 
 import bpy
 import pytest
 from pictures import box_scene, pixels_of
 from the_addon import fovea, part
+
+sys.path.insert(0, str(Path(__file__).parents[2] / "blender_scripts"))
+
+import render
 
 whole, records, check = part("render.whole_frames"), part("frame_records"), part("render.frame_check")
 FRAMES = range(1, 5)
@@ -63,7 +68,7 @@ def test_frames_are_recorded_under_their_own_names_and_nothing_else_is_left(tmp_
     found = records.read(out)
     assert [found[name]["frame"] for name in files] == [*FRAMES]
     assert len({found[name]["pixels_sha256"] for name in files}) == len(FRAMES)
-    assert check.check([out], (1, 4))["equal"]
+    assert check.check([out], FRAMES)["equal"]
 
 
 def test_only_what_is_not_as_it_was_recorded_is_rendered_again(tmp_path, atomic):
@@ -78,7 +83,7 @@ def test_only_what_is_not_as_it_was_recorded_is_rendered_again(tmp_path, atomic)
     data = (out / "box_0004.png").read_bytes()
     (out / "box_0004.png").write_bytes(data[:-20])
     assert rendered() == [1, 2, 4]
-    assert check.check([out, tmp_path / "first"], (1, 4))["equal"]
+    assert check.check([out, tmp_path / "first"], FRAMES)["equal"]
 
 
 def test_another_size_or_file_is_rendered_anew(tmp_path, atomic):
@@ -156,6 +161,28 @@ def test_what_writes_nothing_leaves_nothing(tmp_path, atomic):
     assert names(tmp_path) == ["box.blend", "out"]
 
 
+def test_the_command_renders_by_the_file_s_own_engine_where_it_is_told(tmp_path, atomic, capfd):
+    moving(tmp_path, "BLENDER_WORKBENCH")
+    bpy.ops.wm.read_homefile(use_empty=True)
+    place = tmp_path / "a{b}#" / "x_##"
+    render.main([str(tmp_path / "box.blend"), "--frames", "2-3", "-o", str(place)])
+    assert bpy.context.scene.render.engine == "BLENDER_WORKBENCH"
+    assert list(records.read(place.parent)) == ["x_02.png", "x_03.png"]
+    assert [line for line in capfd.readouterr().out.splitlines() if line.startswith("fovea wrote: ")] == [
+        f'fovea wrote: "{place.parent / name}"' for name in ("x_02.png", "x_03.png")
+    ]
+
+
+def test_the_command_refuses_a_movie(tmp_path, atomic):
+    settings = moving(tmp_path).render.image_settings
+    if hasattr(settings, "media_type"):
+        settings.media_type = "VIDEO"
+    settings.file_format = "FFMPEG"
+    bpy.ops.wm.save_mainfile()
+    with pytest.raises(ValueError, match="box.blend renders a movie"):
+        render.main([str(tmp_path / "box.blend"), "-o", str(tmp_path / "x_##")])
+
+
 def test_a_killed_blender_leaves_whole_frames_and_the_next_one_does_the_rest(tmp_path, atomic):
     moving(tmp_path)
     out = tmp_path / "out"
@@ -171,5 +198,5 @@ def test_a_killed_blender_leaves_whole_frames_and_the_next_one_does_the_rest(tmp
     assert left["equal"] and left["frames"] >= 1
     atomic.setenv("FOVEA_RESUME", "1")
     assert rendered() == [*FRAMES][left["frames"] :]
-    assert check.check([out, tmp_path / "undisturbed"], (1, 4))["equal"]
+    assert check.check([out, tmp_path / "undisturbed"], FRAMES)["equal"]
     assert len(names(out / ".fovea")) == 2, "what the killed one had begun is gone"

@@ -17,6 +17,7 @@ here=$1 counted=$2 tidy=$3 on=$4 BLENDER= cache=/none all_suites="sid trixie"
 shift 4
 for part in say target run_tests check; do . "$here/$part.sh"; done
 use_suite() { target_name=$1; }
+set_up_suite() { echo "set up $*"; }
 counts_file() { echo "$counted"; }
 work_folder() { echo /none; }
 make_modules() { echo "modules $*"; }
@@ -44,7 +45,8 @@ def long(tmp_path):
 
 def test_threads_kills_self_contained_modules_windows_and_the_lint_of_all_sources_are_run_and_counted(long):
     ran = ["modules linux-x64-cp313 linux-x64-cp314", "test sid standalone", "test trixie standalone"]
-    ran += ["test trixie threads", "test trixie kills", "run main.py --wine", "check trixie --tidy native tests/native"]
+    ran += ["test trixie threads", "set up trixie slurm-wlm munge nodejs", "test trixie kills", "run main.py --wine"]
+    ran += ["check trixie --tidy native tests/native"]
     assert long() == (0, [*ran, "26 passed, 0 failed, 0 skipped"], "")
     assert long(tidy=1) == (1, [*ran, "25 passed, 1 failed, 0 skipped"], "")
     assert long(counts="4 1 0") == (1, [*ran, "21 passed, 5 failed, 0 skipped"], "")
