@@ -14,7 +14,6 @@ from dataclasses import dataclass
 import bpy
 import numpy as np
 
-from .. import native
 from ..scene.property_kinds import new_group, switch
 
 _MOST_LETTERS = 32  # of a line set's name in its pass's: Blender's names of passes end at 63, with view and channel
@@ -176,9 +175,9 @@ def names_of_line_sets(names):
     return found
 
 
-def tell_names(engine, layer, objects):
-    """Adds the names of objects that a Cryptomatte may tell apart to the metadata of the engine's result."""
-    core = native.load()
+def tell_names(engine, layer, objects, core):
+    """Adds the names of objects that a Cryptomatte may tell apart to the metadata of the engine's result. `core`: the
+    native module."""
     (matte,) = (each for each in PASSES if each.image == "mattes")
     of = f"{layer.name}.{matte.name}"
     manifest = {name: f"{core.cryptomatte_id(name):08x}" for name in sorted(objects)}

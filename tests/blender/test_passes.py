@@ -64,7 +64,9 @@ def two_boxes():
     hidden = style.Hidden(pen=style.Pen(width=8.0))
     sets = {"Contours": "contour", "Inner lines": "crease"}
     of = {"pen": style.Pen(width=20.0), "hidden": (hidden,)}
-    use_style(scene, style.Style(line_sets=[style.LineSet(name=name, kinds={kind: {}}, **of) for name, kind in sets.items()]))
+    use_style(
+        scene, style.Style(line_sets=[style.LineSet(name=name, kinds={kind: {}}, **of) for name, kind in sets.items()])
+    )
     layer = scene.view_layers[0]
     layer.use_pass_cryptomatte_object = True
     for name in ("hidden_lines", "line_sets", "line_depth", "line_id"):
