@@ -1273,7 +1273,7 @@ class Frame:
         view: View,
         style: style.Style,
         *,
-        options: Options=Options(visibility='exact', sample_step=2.0, depth_scale=2, probes=9, layers=3, gap=3.0, spur=1.0, contour_spur=10.0, fold=30.0, tip=6.0, joint=2.0, meet=8.0, beside=4.0, least_hidden=6.0, outlines=(), all_paths=False, focus_step=1, with_depth=False, with_focus=False),
+        options: Options=Options(visibility='exact', sample_step=2.0, depth_scale=2, probes=9, layers=3, gap=3.0, spur=1.0, contour_spur=10.0, fold=30.0, tip=6.0, joint=2.0, meet=8.0, beside=4.0, least_hidden=6.0, outlines=(), all_paths=False, focus_step=1, with_depth=False, with_focus=False, with_hidden=False, with_line_sets=False, with_line_depth=False, with_line_id=False, matte_ranks=0),
         assets: Assets | None=None,
         backend: Backend | None=None,
         overrides: Overrides | None=None,
@@ -1290,8 +1290,9 @@ class Frame:
     def thin(self) -> None: ...
     def ink(self) -> None: ...
     def picture(self) -> None: ...
-    def passes(self) -> dict[str, NDArray[numpy.float32] | None]:
-        """{name: pixels, or None}; they are handed over, once."""
+    def passes(self) -> dict[str, object]:
+        """{name: pixels, or None}, of line_sets {name of the set: pixels}, of mattes [pixels]; they are handed over,
+        once."""
     def thins(self) -> bool: ...
     def shown_lines(self) -> ShownLines: ...
     def focus_of_pixels(self) -> NDArray[numpy.float32] | None:
@@ -1424,8 +1425,24 @@ class Options:
     def with_depth(self) -> bool: ...
     @property
     def with_focus(self) -> bool: ...
+    @property
+    def with_hidden(self) -> bool: ...
+    @property
+    def with_line_sets(self) -> bool: ...
+    @property
+    def with_line_depth(self) -> bool: ...
+    @property
+    def with_line_id(self) -> bool: ...
+    @property
+    def matte_ranks(self) -> int: ...
 
 VISIBILITY: list
+
+def murmur_hash(name: str) -> int:
+    """Cryptomatte's hash of a name."""
+
+def cryptomatte_id(name: str) -> int:
+    """Bits of the float that stands for a name in mattes."""
 
 class Assets:
     """Pen textures and papers that ship, by name."""
@@ -1458,6 +1475,7 @@ class Overrides:
         importance: Annotated[ArrayLike, numpy.float32] | None=None,
         painted: Mapping[str, Sequence[Annotated[ArrayLike, numpy.float32] | None]]={},
         objects: Sequence[Sequence[str]]=[],
+        names: Sequence[str]=[],
         objects_of_placement: Annotated[ArrayLike, numpy.uint32] | None=None,
         density_map: ColorTexture | None=None,
         placements: Sequence[Annotated[ArrayLike, numpy.uint8] | None]=[],
@@ -1467,11 +1485,11 @@ class Overrides:
         lined: MaterialFilter | None=None,
     ) -> None:
         """importance: (n,) float32 in [0, 1]; painted: {attribute: n arrays (C,) float32 at the mesh's corners, or
-        None}; objects: lists of names, and objects_of_placement (n,) uint32: the list of each; density_map: over the
-        camera's frame. By line set: placements (n,) uint8 whose lines are for it, and materials whose faces' lines are,
-        None: all. Of all sets: shown (n,) uint32 registry bits of what each placement shows, parameters {definition:
-        {parameter: (n,) float64 that placements have instead, NaN: none}}, and lined: the materials that have lines at
-        all."""
+        None}; objects: lists of names, names: of each of these the object's own, for mattes, and objects_of_placement
+        (n,) uint32: the list of each; density_map: over the camera's frame. By line set: placements (n,) uint8 whose
+        lines are for it, and materials whose faces' lines are, None: all. Of all sets: shown (n,) uint32 registry bits
+        of what each placement shows, parameters {definition: {parameter: (n,) float64 that placements have instead,
+        NaN: none}}, and lined: the materials that have lines at all."""
 
 class VectorOptions:
     """What a drawing is like as vectors; see native/fovea/vector/options.h."""

@@ -14,7 +14,6 @@ from dataclasses import dataclass
 import bpy
 import numpy as np
 
-from .. import native
 from ..scene.property_kinds import new_group, switch
 
 _MOST_LETTERS = 32  # of a line set's name in its pass's: Blender's names of passes end at 63, with view and channel
@@ -33,6 +32,7 @@ class Pass:
     option: str = ""  # member of the native Options that requests it
     content: object = None  # content(Style): whether there is any; None: always
     lacking: str = ""  # why renders do not have it then
+    below: bool = False  # of what lies below the lines: scenes that draw lines alone have none
 
     def is_on(self, layer):
         return not self.switch or layer.path_resolve(self.switch)
@@ -91,6 +91,7 @@ PASSES = (
         "What lies under the lines, without the paper",
         content=lambda style: style.has_color(),
         lacking="the style has no color layer",
+        below=True,
     ),
     Pass(
         "Focus",
@@ -100,6 +101,7 @@ PASSES = (
         "How far each pixel is out of focus: 0 is in focus, 1 is not",
         content=lambda style: style.focus.active(),
         lacking="there is no place to look at",
+        below=True,
     ),
     Pass(
         "Depth",
@@ -109,6 +111,7 @@ PASSES = (
         "Distance of the surface at each pixel, along the view axis",
         switch="use_pass_z",
         option="with_depth",
+        below=True,
     ),
     Pass(
         "CryptoObject",
@@ -129,18 +132,19 @@ def _pairs(layer):
     return (min(layer.pass_cryptomatte_depth, 16) + 1) // 2
 
 
-def options(layer):
-    """The native Options that request the passes of a view layer."""
-    asked = {each.option: bool(each.is_on(layer)) for each in PASSES if each.option}
-    return asked | {"with_focus": True, "matte_ranks": 2 * _pairs(layer) * asked["matte_ranks"]}
+def options(layer, lines_alone=False):
+    """The native Options that request the passes of a view layer. `lines_alone`: only those of lines."""
+    on = {each.option: each.is_on(layer) and not (lines_alone and each.below) for each in PASSES if each.option}
+    return on | {"with_focus": not lines_alone, "matte_ranks": 2 * _pairs(layer) * on["matte_ranks"]}
 
 
-def wanted(layer, style, line_sets):
+def wanted(layer, style, line_sets, lines_alone=False):
     """{Pass: names of its passes in renders of a view layer}, [] if it has none. `style`: the Style, or None if it
-    cannot be drawn; `line_sets`: names of its line sets."""
+    cannot be drawn; `line_sets`: names of its line sets; `lines_alone`: only passes of lines."""
 
     def has(each):
-        return each.is_on(layer) and (each.content is None or bool(style and each.content(style)))
+        content = each.content is None or bool(style and each.content(style))
+        return each.is_on(layer) and content and not (lines_alone and each.below)
 
     return {each: each.names(layer, line_sets) if has(each) else [] for each in PASSES}
 
@@ -176,9 +180,9 @@ def names_of_line_sets(names):
     return found
 
 
-def tell_names(engine, layer, objects):
-    """Adds the names of objects that a Cryptomatte may tell apart to the metadata of the engine's result."""
-    core = native.load()
+def tell_names(engine, layer, objects, core):
+    """Adds the names of objects that a Cryptomatte may tell apart to the metadata of the engine's result. `core`: the
+    native module."""
     (matte,) = (each for each in PASSES if each.image == "mattes")
     of = f"{layer.name}.{matte.name}"
     manifest = {name: f"{core.cryptomatte_id(name):08x}" for name in sorted(objects)}

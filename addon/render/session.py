@@ -24,6 +24,7 @@ _log = logging.getLogger(__package__)
 readers = {}  # depsgraph mode -> Reader
 _statistics, _remarked = {}, set()  # and remarks that were reported already
 
+
 def last_statistics():
     """Statistics of the last picture: stages {name: ms}; backend; visibility, the method in words; strokes and
     triangles, counts; curvature {object: which estimator, and why}, only of objects whose curvature was needed; and
@@ -33,8 +34,10 @@ def last_statistics():
 
 def wanted_passes(scene_, layer):
     """{Pass: names that it has in renders of a view layer, or []}."""
-    chosen = None if followed.follows(scene_) else _style_of(scene_)
-    return passes.wanted(layer, chosen, properties.line_set_names(scene_) if chosen else ())
+    drawn = followed.of(scene_)
+    chosen = _style_of(drawn)
+    line_sets = properties.line_set_names(drawn) if chosen else ()
+    return passes.wanted(layer, chosen, line_sets, followed.follows(scene_))
 
 
 def register_passes(engine, scene_, layer):
@@ -69,11 +72,11 @@ def render(engine, depsgraph):
         if made := final(engine, depsgraph):
             note_statistics(*made)
             layer, objects = depsgraph.view_layer, made[0].snapshot.drawn
-            filled = passes.filled(made[1], layer, properties.line_set_names(depsgraph.scene))
+            filled = passes.filled(made[1], layer, properties.line_set_names(followed.of(depsgraph.scene)))
             del made
             _hand_over(engine, layer, filled)
             if layer.use_pass_cryptomatte_object:
-                passes.tell_names(engine, layer, objects)
+                passes.tell_names(engine, layer, objects, native.load())
         kept.trim()
 
 
@@ -127,8 +130,8 @@ def final(engine, depsgraph, make=draw, *, lines_alone=False, tell=None):
     core, settings, chosen = native.load(), followed.of(depsgraph.scene).fovea, properties.style_drawn(depsgraph)
     backend, visibility = methods.choose(engine, settings, in_viewport=False)
     report_once(engine, engine.note)
+    asked = {} if lines_alone else passes.options(depsgraph.view_layer, followed.follows(depsgraph.scene))
     lines_alone = lines_alone or followed.follows(depsgraph.scene)
-    asked = {} if lines_alone else passes.options(depsgraph.view_layer)
     options = pipeline.options(visibility=visibility, **asked, **methods.quality(settings))
     cancel = core.Cancel()
     with watched(engine, cancel), cancel:

@@ -179,7 +179,8 @@ stage.)")
         .def("ink", &Frame::ink, NoGil())
         .def("picture", &Frame::picture, NoGil())
         .def("passes", &passes,
-             "{name: pixels, or None}, of line_sets {name of the set: pixels}, of mattes [pixels]; they are handed over, "
+             "{name: pixels, or None}, of line_sets {name of the set: pixels}, of mattes [pixels]; they are handed "
+             "over, "
              "once.")
         .def("thins", &Frame::thins)
         .def("shown_lines", &Frame::shown_lines, NoGil())

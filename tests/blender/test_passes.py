@@ -64,7 +64,9 @@ def two_boxes():
     hidden = style.Hidden(pen=style.Pen(width=8.0))
     sets = {"Contours": "contour", "Inner lines": "crease"}
     of = {"pen": style.Pen(width=20.0), "hidden": (hidden,)}
-    use_style(scene, style.Style(line_sets=[style.LineSet(name=name, kinds={kind: {}}, **of) for name, kind in sets.items()]))
+    use_style(
+        scene, style.Style(line_sets=[style.LineSet(name=name, kinds={kind: {}}, **of) for name, kind in sets.items()])
+    )
     layer = scene.view_layers[0]
     layer.use_pass_cryptomatte_object = True
     for name in ("hidden_lines", "line_sets", "line_depth", "line_id"):
@@ -241,3 +243,17 @@ def test_passes_of_a_mix_of_styles_are_those_of_both_in_every_frame(tmp_path):
     for mix in (0.0, 0.5, 1.0):
         scene.fovea.mix = mix
         assert expected <= passes_of(layered(scene, tmp_path / f"{mix}.exr"))
+
+
+def test_a_scene_of_lines_over_renders_of_another_one_has_passes_of_lines_and_no_others(tmp_path):
+    scene = two_boxes()
+    scene.render.engine = "BLENDER_WORKBENCH"
+    assert bpy.ops.fovea.lines_over() == {"FINISHED"}
+    lines = part("render.lines_scenes").of(scene)
+    layer = lines.view_layers[0]
+    layer.fovea.hidden_lines = layer.fovea.line_sets = layer.fovea.line_depth = layer.use_pass_z = True
+    assert wanted(lines) == ["Lines", "LinesHidden", "Lines_Contours", "Lines_Inner_lines", "LineDepth"]
+    bpy.context.window.scene = lines
+    channels = layered(lines, tmp_path / "layers.exr")
+    assert passes_of(channels) == {"Combined", *wanted(lines)}
+    assert all(channels[name].any() for name in channels if name.endswith(".A"))

@@ -30,11 +30,8 @@ std::string style_of(const std::string& pen, const std::string& other) {
     return R"({"schema": 1, "line_sets": [)" + set(contours, pen) + ", " + set(creases, other) + "]}";
 }
 
-const Options all{.with_hidden = true,
-                  .with_line_sets = true,
-                  .with_line_depth = true,
-                  .with_line_id = true,
-                  .matte_ranks = 4};
+const Options all{
+    .with_hidden = true, .with_line_sets = true, .with_line_depth = true, .with_line_id = true, .matte_ranks = 4};
 const std::string thick = R"({"width": 9})", faint = R"({"width": 9, "opacity": 0.4})";
 
 /// Two boxes that hide each other in part, "A" before "B".
@@ -42,8 +39,8 @@ struct Boxes {
     const Array<Index> numbers{0, 1};
 
     Job job(const std::string& json, Options options = all) const {
-        Job job{.scene = std::make_shared<Scene>(Scene({place(meshes::box(), moved({0, 0, 0}), 1),
-                                                        place(meshes::box(), moved({1.5, 2.5, 0.3}), 2)})),
+        Job job{.scene = std::make_shared<Scene>(Scene(
+                    {place(meshes::box(), moved({0, 0, 0}), 1), place(meshes::box(), moved({1.5, 2.5, 0.3}), 2)})),
                 .view = perspective({3, -8, 4}, {0, 1, 0}, 50, 240, 180),
                 .style = style::read_style(json),
                 .options = options,
@@ -75,6 +72,25 @@ float largest_difference(const Array<vec4>& one, const Array<vec4>& other, bool 
     for (std::size_t i = 0; i < one.size(); ++i)
         for (int k = alpha_alone ? 3 : 0; k < 4; ++k) most = std::max(most, std::abs(one[i][k] - other[i][k]));
     return most;
+}
+
+struct EdgePoint {
+    dvec2 px;
+    double depth;
+};
+
+/// Points close together on the edges of a box from -1 to 1.
+std::vector<EdgePoint> edge_points(const View& view) {
+    std::vector<EdgePoint> points;
+    for (int axis = 0; axis < 3; ++axis)
+        for (const double side : {-1.0, 1.0})
+            for (const double other_side : {-1.0, 1.0})
+                for (double along = -1.0; along <= 1.0; along += 1.0 / 128.0) {
+                    dvec3 at;
+                    at[axis] = along, at[(axis + 1) % 3] = side, at[(axis + 2) % 3] = other_side;
+                    points.push_back({pixel_of(view, at), -(view.world_to_view * dvec4(at, 1.0)).z});
+                }
+    return points;
 }
 
 }  // namespace
@@ -110,27 +126,31 @@ TEST(LinePasses, SetsOfOneNameShareAPass) {
     EXPECT_LT(largest_difference(composed(picture.of_lines), picture.lines), 1e-6f);
 }
 
-TEST(LinePasses, DepthIsThatOfTheSurfaceUnderALineAndOfTheBackgroundWhereThereIsNoInk) {
-    for (const bool orthographic_view : {false, true}) {
-        Options options = all;
-        options.with_depth = true;
-        Job job = Boxes().job(R"({"schema": 1, "line_sets": [{"kinds": {"crease": {}}, "pen": {"width": 2}}]})", options);
-        const Array<Index> numbers{0, 1};
-        job.overrides.objects_of_placement = numbers;
-        if (orthographic_view) job.view = orthographic({3, -8, 4}, {0, 1, 0}, 8, 240, 180);
+TEST(LinePasses, DepthIsTheDistanceOfTheEdgeThatIsDrawnThereAndThatOfTheBackgroundWhereThereIsNoInk) {
+    for (const bool parallel : {false, true}) {
+        Job job = Boxes().job(R"({"schema": 1, "line_sets": [{"kinds": {"crease": {}}, "pen": {"width": 2}}]})",
+                              {.with_line_depth = true});
+        job.overrides = {};
+        job.scene = std::make_shared<Scene>(Scene({place(meshes::box(vec3(-1.0f), vec3(1.0f)))}));
+        if (parallel) job.view = orthographic({3, -8, 4}, {0, 1, 0}, 8, 240, 180);
+        const std::vector<EdgePoint> edges = edge_points(job.view);
         Frame frame(std::move(job));
         frame.picture();
-        const Picture& passes = frame.passes;
-        std::size_t on_surface = 0, ink = 0;
-        for (std::size_t i = 0; i < passes.depth.size(); ++i) {
-            const float depth = passes.of_lines.depth[i];
-            EXPECT_EQ(depth < background_depth, passes.lines[i].a > 0.0f);
-            if (passes.lines[i].a < 0.5f) continue;
-            ++ink;
-            on_surface += std::abs(depth - passes.depth[i]) < 0.06f;
-        }
-        EXPECT_GT(ink, 300u);
-        EXPECT_GT(double(on_surface), 0.6 * double(ink)) << "the others lie beside outlines of the boxes";
+        std::size_t ink = 0;
+        for (int y = 0; y < 180; ++y)
+            for (int x = 0; x < 240; ++x) {
+                const float depth = frame.passes.of_lines.depth[y * 240 + x], alpha = frame.passes.lines[y * 240 + x].a;
+                EXPECT_EQ(depth < background_depth, alpha > 0.0f);
+                if (alpha == 0.0f) continue;
+                ++ink;
+                EXPECT_TRUE(std::ranges::any_of(edges,
+                                                [&](const EdgePoint& point) {
+                                                    return glm::distance(point.px, dvec2(x + 0.5, y + 0.5)) < 2.5 &&
+                                                           std::abs(point.depth - depth) < 0.05;
+                                                }))
+                    << x << ", " << y << ": " << depth;
+            }
+        EXPECT_GT(ink, 500u);
     }
 }
 

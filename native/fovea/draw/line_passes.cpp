@@ -30,7 +30,7 @@ float distance_at(const ClippedPaths& clipped, Index piece, double arc) {
 }
 
 class LinePainter {
- public:
+   public:
     explicit LinePainter(const Frame& frame) : frame_(frame) {
         const Options& options = frame.job.options;
         const View& view = frame.job.view;
@@ -55,7 +55,7 @@ class LinePainter {
 
     LinePasses take() { return std::move(passes_); }
 
- private:
+   private:
     std::size_t at(int x, int y) const { return std::size_t(y) * frame_.job.view.width + x; }
 
     /// An image per name, and the image of each line set's pen.

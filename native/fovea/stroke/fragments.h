@@ -21,7 +21,7 @@ struct Fragment {
 
 /// The fragments of strokes. Borrows its arguments.
 class Fragments {
- public:
+   public:
     /// With `spine` the opacity of each fragment is multiplied by the spine test at its u, and there are none outside
     /// of the depth buffer's core. Throws where a stroke's pen, a pen's texture, a triangle's corner or (with `spine`)
     /// a vertex's piece does not exist.
@@ -35,7 +35,7 @@ class Fragments {
         for (const Index t : triangles) of_triangle(strokes_.triangles[t], drawn, each);
     }
 
- private:
+   private:
     template <typename Each>
     void of_triangle(glm::uvec3 c, const PixelBox& within, const Each& each) const {
         const FixedTriangle shape(strokes_.px[c[0]], strokes_.px[c[1]], strokes_.px[c[2]]);

@@ -17,9 +17,8 @@ struct Share {
 
 /// Shares of the pixels of a box. At each pixel they add up to its alpha, but for what ids of 0, of nobody, have of it.
 class Shares {
- public:
-    explicit Shares(const PixelBox& box)
-        : box_(box), first_(std::size_t(box.x1 - box.x0) * (box.y1 - box.y0), none) {}
+   public:
+    explicit Shares(const PixelBox& box) : box_(box), first_(std::size_t(box.x1 - box.x0) * (box.y1 - box.y0), none) {}
 
     /// Adds a fragment over those that were added before.
     void add(int x, int y, std::uint32_t id, float alpha);
@@ -27,7 +26,7 @@ class Shares {
     /// The shares of a pixel above 0, greatest first, those of one size by id. Overwrites `out`.
     void ranked(int x, int y, std::vector<Share>& out) const;
 
- private:
+   private:
     struct Entry {
         Share share;
         Index next;  ///< of the same pixel; `none`: the last
