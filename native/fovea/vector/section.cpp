@@ -39,7 +39,8 @@ Layer section_layer(const Frame& frame, const Page& page) {
     Layer layer{"section", "section", {}, {}, {}};
     if (!section.filled) return layer;
     Path path;
-    path.id = "section-fill", path.kind = "section";
+    path.id = "section-fill";
+    path.kind = "section";
     path.look.color = color::displayed(section.color);
     path.curves = loops_of(section_sides(*frame.job.scene, frame.job.view), page);
     if (!path.curves.empty()) layer.paths.push_back(std::move(path));
