@@ -60,8 +60,25 @@ def situation(name, path):
     return scene_in_colors(name, pages.SITUATIONS[name], pages.SITUATIONS_SIZE, path)
 
 
-def scene_in_colors(name, shown, size, path, crop=None):
-    """(H, W, 3) picture of a scene or model, supersampled by 2. `shown`: a pages.Stage; `crop`: arguments of `magnify`."""
+def pencil(name, path):
+    """(H, W, 3) picture of the runner: as Fovea draws it, or as Workbench does under the strokes that were baked."""
+    change = under_baked_strokes if name == "baked" else None
+    return scene_in_colors("runner", pages.GREASE_PENCIL[name], pages.SITUATIONS_SIZE, path, change=change)
+
+
+def under_baked_strokes(scene):
+    """Bakes the strokes of a scene to Grease Pencil, which Workbench then draws over its shaded surfaces."""
+    scene.render.engine = "BLENDER_WORKBENCH"
+    bpy.ops.fovea.bake_strokes(kind="GREASE_PENCIL")
+    scene.render.film_transparent = False
+    scene.world = bpy.data.worlds.new("Paper")
+    scene.world.color = (1, 1, 1)
+    scene.display.shading.light, scene.display.shading.color_type = "STUDIO", "MATERIAL"
+
+
+def scene_in_colors(name, shown, size, path, crop=None, change=None):
+    """(H, W, 3) picture of a scene or model, supersampled by 2. `shown`: a pages.Stage; `crop`: arguments of `magnify`;
+    `change`: called with the scene before it is rendered."""
     open_model(name)
     scene = bpy.context.scene
     width, height = quantities.frame_size(size)
@@ -69,6 +86,8 @@ def scene_in_colors(name, shown, size, path, crop=None):
     set_drawing(scene, draw_options.parse(words), shown.settings)
     if crop:
         magnify(scene, *crop)
+    if change:
+        change(scene)
     picture.render(scene, path)
     return picture.pixels(path)[..., :3].reshape(height, 2, width, 2, 3).mean(axis=(1, 3))
 
@@ -108,7 +127,8 @@ def plot(name, path):
 
 
 DRAWN_BY = {
-    "lines": line, "sections": section, "way": stage, "focus": stage, "strokes": stroke, "situations": situation, "transfers": plot,
+    "lines": line, "sections": section, "way": stage, "focus": stage, "strokes": stroke, "situations": situation,
+    "transfers": plot, "grease_pencil": pencil,
 }  # fmt: skip
 
 
