@@ -63,7 +63,7 @@ def situation(name, path):
 def pencil(name, path):
     """(H, W, 3) picture of the runner: as Fovea draws it, or as Workbench does under the strokes that were baked."""
     change = under_baked_strokes if name == "baked" else None
-    return scene_in_colors("runner", pages.GREASE_PENCIL[name], pages.SITUATIONS_SIZE, path, change=change)
+    return scene_in_colors("runner", pages.GREASE_PENCIL[name], pages.SITUATIONS_SIZE, path, pages.PENCIL_VIEW, change)
 
 
 def under_baked_strokes(scene):
@@ -73,7 +73,8 @@ def under_baked_strokes(scene):
     scene.render.film_transparent = False
     scene.world = bpy.data.worlds.new("Paper")
     scene.world.color = (1, 1, 1)
-    scene.display.shading.light, scene.display.shading.color_type = "STUDIO", "MATERIAL"
+    shading = scene.display.shading
+    shading.light, shading.color_type, shading.single_color = "STUDIO", "SINGLE", (0.9, 0.85, 0.75)
 
 
 def scene_in_colors(name, shown, size, path, crop=None, change=None):

@@ -123,6 +123,7 @@ SECTIONS = {  # picture -> its scene or model, and how that is drawn
 }
 _BRUSH = Stage(("--style", "brush", "--without", "colors"))
 GREASE_PENCIL = {"film": _BRUSH, "baked": _BRUSH}  # strokes of one scene as Fovea draws them, and as they are baked
+PENCIL_VIEW = 0.5, 0.45, 1.4  # as STAGE_VIEW
 _LIGHT = {"pen.second_color": (0.5, 0.5, 0.5)}
 STROKES_SIZE = "280x210"
 STROKES_WORDS = (*MONKEY[1], "--style", "plain", "--lines", "smooth_contour,suggestive_contour,crease,border")
