@@ -52,9 +52,7 @@ class FOVEA_OT_bake_strokes(OfRender, bpy.types.Operator):
     )
 
     def invoke(self, context, _event):
-        scene, given = context.scene, self.properties.is_property_set
-        if not given("frame_start") and not given("frame_end"):
-            self.frame_start, self.frame_end = scene.frame_start, scene.frame_end
+        self.frame_start, self.frame_end = self.span(context.scene)
         return context.window_manager.invoke_props_dialog(self, confirm_text="Bake")
 
     def draw(self, _context):
@@ -79,6 +77,11 @@ class FOVEA_OT_bake_strokes(OfRender, bpy.types.Operator):
         told = self.meshes(context, frames, style) if self.kind == "MESH" else self.pencil(context, frames, style)
         self.report({"INFO"}, told)
 
+    def span(self, scene):
+        """The first and the last frame of a range: those of the scene, where others are not given."""
+        given = self.properties.is_property_set
+        return tuple(getattr(self if given(name) else scene, name) for name in ("frame_start", "frame_end"))
+
     def numbers(self, scene):
         """The numbers of the frames that are baked. CannotDraw where they make no sense."""
         if self.kind == "GREASE_PENCIL":
@@ -87,11 +90,10 @@ class FOVEA_OT_bake_strokes(OfRender, bpy.types.Operator):
             return range(scene.frame_current, scene.frame_current + 1)
         if self.kind == "MESH":
             raise CannotDraw("Meshes are of one frame: bake an animation with the type Grease Pencil")
-        if self.frame_end < self.frame_start:
-            raise CannotDraw(
-                f"There are no frames from {self.frame_start} to {self.frame_end}: set End to Start or later"
-            )
-        return range(self.frame_start, self.frame_end + 1, self.step)
+        first, last = self.span(scene)
+        if last < first:
+            raise CannotDraw(f"There are no frames from {first} to {last}: set End to Start or later")
+        return range(first, last + 1, self.step)
 
     def meshes(self, context, frames, style):
         (lines,) = frames.values()
@@ -109,7 +111,7 @@ class FOVEA_OT_bake_strokes(OfRender, bpy.types.Operator):
         is_new, hidden = obj is None, ""
         if is_new:
             obj = pencil_bake.new_object("Lines")
-        span = (self.frame_start, self.frame_end) if self.frames == "RANGE" else None
+        span = self.span(scene) if self.frames == "RANGE" else None
         pencil_bake.bake(obj, frames, span, style)
         if is_new:
             collection = _linked(scene, [obj])

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Keyframes and strokes of layers of Grease Pencil: what makes room for strokes that replace earlier ones, and adds them.
+"""Keyframes and strokes of layers of Grease Pencil: room for strokes that replace earlier ones, and adding them.
 
 Strokes of a program carry an id in an attribute of curves, two integers; it is 0 for those drawn by hand. Adding a
 keyframe may move the others in memory, so they are looked up by their numbers."""

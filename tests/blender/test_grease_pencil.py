@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Strokes baked to Grease Pencil: their layers, frames, materials and ids, what baking again replaces, and how they look
-where Blender renders them."""
+"""Strokes baked to Grease Pencil: their layers, frames, materials and ids, what baking again replaces, and how they
+look where Blender renders them."""
 
 import bpy
 import numpy as np
@@ -58,7 +58,6 @@ def ids(drawing):
 
 def draw_by_hand(drawing):
     drawing.add_strokes([2])
-    values(drawing, "position", "vector", 3)
     drawing.attributes["position"].data[-1].vector = (0, 0, 9)
 
 
@@ -76,6 +75,12 @@ def test_frames_of_an_animation_are_baked_at_once(moving):
     assert moving.frame_current == 1
 
 
+def test_a_range_is_that_of_the_scene_if_no_other_is_given(moving):
+    moving.frame_start, moving.frame_end = 2, 3
+    assert bpy.ops.fovea.bake_strokes(kind="GREASE_PENCIL", frames="RANGE") == {"FINISHED"}
+    assert keys(pencil_bake.found_in(moving)) == [2, 3, 4]
+
+
 def test_on_twos_each_drawing_stands_for_two_frames(moving):
     obj = bake(1, 4, step=2)
     assert keys(obj) == [1, 3, 5] and len(drawing(obj, 5).strokes) == 0
@@ -84,7 +89,7 @@ def test_on_twos_each_drawing_stands_for_two_frames(moving):
 def test_a_frame_is_baked_alike_alone_and_in_an_animation(moving):
     obj = bake(1, 5)
     moving.frame_set(3)
-    alone = bake(into="NEW")
+    bake(into="NEW")
     alone = next(other for other in moving.objects if other.type == "GREASEPENCIL" and other != obj)
     for name, what, columns in (("position", "vector", 3), ("radius", "value", 1), ("opacity", "value", 1)):
         of = [values(drawing(of, 3), name, what, columns) for of in (obj, alone)]
