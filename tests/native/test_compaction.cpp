@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Runs read back as polylines: their ends on the line, in the image and in space.
 #include <gtest/gtest.h>
-#include <set>
 #include <tbb/global_control.h>
 
 #include <fovea/runs/compaction.h>
