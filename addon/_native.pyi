@@ -860,9 +860,6 @@ class Polylines:
     def pen(self) -> NDArray[numpy.uint32]:
         """(R,) uint32 of the style's pens, as Pens numbers them; 0xffffffff: none"""
     @property
-    def pen_away(self) -> NDArray[numpy.uint32]:
-        """(R,) uint32 the pen out of focus; without one, `pen`"""
-    @property
     def shown(self) -> NDArray[numpy.float32]:
         """(R,) float32 in [0, 1] that elision leaves"""
     @property
@@ -881,9 +878,6 @@ class Polylines:
     def kinds(self) -> NDArray[numpy.uint32]:
         """(M,) uint32 bits of what the segment from the point is, of the last point what that before it is; see
         line_definitions()"""
-    @property
-    def mix(self) -> NDArray[numpy.float32]:
-        """(M, 4) float32 in [0, 1]: how far color, texture, width and opacity are those of `pen_away`"""
 
 class View:
     """A camera and its image; see addon/stages.py."""
@@ -1513,6 +1507,48 @@ class Overrides:
         lines are for it, and materials whose faces' lines are, None: all. Of all sets: shown (n,) uint32 registry bits
         of what each placement shows, parameters {definition: {parameter: (n,) float64 that placements have instead,
         NaN: none}}, and lined: the materials that have lines at all."""
+
+class CenterLines:
+    """A frame's strokes as R polylines of M points in all, with what their pens make of them; takes the frame's steps
+    up to `ink`."""
+    def __init__(self, frame: Frame) -> None: ...
+    def __len__(self) -> int: ...
+    @property
+    def offsets(self) -> NDArray[numpy.uint32]:
+        """(R + 1,) uint32: points of line i are offsets[i] .. offsets[i + 1]"""
+    @property
+    def path_id(self) -> NDArray[numpy.uint64]:
+        """(R,) uint64 persistent id of the path, ascending"""
+    @property
+    def pen(self) -> NDArray[numpy.uint32]:
+        """(R,) uint32 of the style's pens, as Pens numbers them"""
+    @property
+    def line_set(self) -> NDArray[numpy.uint8]:
+        """(R,) uint8"""
+    @property
+    def invisibility(self) -> NDArray[numpy.uint8]:
+        """(R,) uint8 surfaces that hide it; 0: visible"""
+    @property
+    def closed(self) -> NDArray[numpy.uint8]:
+        """(R,) uint8, 1: the last point is the first again"""
+    @property
+    def position_view(self) -> NDArray[numpy.float32]:
+        """(M, 3) float32 view space: the eye at 0, looking along -z"""
+    @property
+    def color(self) -> NDArray[numpy.float32]:
+        """(M, 3) float32 scene-linear"""
+    @property
+    def width_px(self) -> NDArray[numpy.float32]:
+        """(M,) float32 of the whole stroke, in pixels"""
+    @property
+    def opacity(self) -> NDArray[numpy.float32]:
+        """(M,) float32 in [0, 1]; of textures, the mean of their ink"""
+    @property
+    def strength(self) -> NDArray[numpy.float32]:
+        """(M,) float32 in [0, 1] of the line"""
+    @property
+    def kinds(self) -> NDArray[numpy.uint32]:
+        """(M,) uint32 bits of the line definitions of the segment around the point; see line_definitions()"""
 
 class VectorOptions:
     """What a drawing is like as vectors; see native/fovea/vector/options.h."""

@@ -66,8 +66,26 @@ def over_render(name, path):
     return scene_in_colors("demo", pages.OVER[name], pages.OVER_SIZE, path)
 
 
-def scene_in_colors(name, shown, size, path, crop=None):
-    """(H, W, 3) picture of a scene or model, supersampled by 2. `shown`: a pages.Stage; `crop`: arguments of `magnify`."""
+def pencil(name, path):
+    """(H, W, 3) picture of the runner: as Fovea draws it, or as Workbench does under the strokes that were baked."""
+    change = under_baked_strokes if name == "baked" else None
+    return scene_in_colors("runner", pages.GREASE_PENCIL[name], pages.SITUATIONS_SIZE, path, pages.PENCIL_VIEW, change)
+
+
+def under_baked_strokes(scene):
+    """Bakes the strokes of a scene to Grease Pencil, which Workbench then draws over its shaded surfaces."""
+    scene.render.engine = "BLENDER_WORKBENCH"
+    bpy.ops.fovea.bake_strokes(kind="GREASE_PENCIL")
+    scene.render.film_transparent = False
+    scene.world = bpy.data.worlds.new("Paper")
+    scene.world.color = (1, 1, 1)
+    shading = scene.display.shading
+    shading.light, shading.color_type, shading.single_color = "STUDIO", "SINGLE", (0.9, 0.85, 0.75)
+
+
+def scene_in_colors(name, shown, size, path, crop=None, change=None):
+    """(H, W, 3) picture of a scene or model, supersampled by 2. `shown`: a pages.Stage; `crop`: arguments of `magnify`;
+    `change`: called with the scene before it is rendered."""
     open_model(name)
     scene = bpy.context.scene
     width, height = quantities.frame_size(size)
@@ -78,6 +96,8 @@ def scene_in_colors(name, shown, size, path, crop=None):
         over.set_up(scene, options)
     if crop:
         magnify(scene, *crop)
+    if change:
+        change(scene)
     picture.render(scene, path)
     return picture.pixels(path)[..., :3].reshape(height, 2, width, 2, 3).mean(axis=(1, 3))
 
@@ -118,7 +138,7 @@ def plot(name, path):
 
 DRAWN_BY = {
     "lines": line, "sections": section, "way": stage, "focus": stage, "strokes": stroke, "situations": situation,
-    "over": over_render, "transfers": plot,
+    "over": over_render, "transfers": plot, "grease_pencil": pencil,
 }  # fmt: skip
 
 

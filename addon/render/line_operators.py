@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Operators that output the lines of a final render: as an image with alpha, or as objects."""
+"""The lines of a final render as an image with alpha; what operators share that draw a scene."""
 
 from contextlib import contextmanager
 from functools import partial
@@ -7,13 +7,11 @@ from functools import partial
 import bpy
 import numpy as np
 
-from .. import native, pipeline
-from ..scene import camera, followed, pencils
+from .. import native
+from ..scene import followed
 from ..scene.operator import Operator
 from ..scene.problem import CannotDraw
-from . import as_rendered, baking, drawn_lines, properties, reading, session
-
-ENGINE = "FOVEA"
+from . import as_rendered, session
 
 
 class OfRender(Operator):
@@ -91,59 +89,3 @@ def _image_editors(context):
     areas = (area for window in context.window_manager.windows for area in window.screen.areas)
     editors = (area.spaces.active for area in areas if area.type == "IMAGE_EDITOR")
     return [editor for editor in editors if editor.mode == "VIEW" and not editor.use_image_pin]
-
-
-class FOVEA_OT_bake_strokes(OfRender, bpy.types.Operator):
-    """Make objects of the lines that a final render of this frame and view layer has, one per line set, in a new
-    collection. Their points know how strong each line is, what kind of line it is, and how wide and opaque its pen"""
-
-    bl_idname = "fovea.bake_strokes"
-    bl_label = "Bake Strokes"
-
-    kind: bpy.props.EnumProperty(
-        name="Type",
-        description="What is made of the strokes",
-        items=[
-            ("GREASE_PENCIL", "Grease Pencil", "Strokes with the pens' widths and colors, as the camera sees them"),
-            ("MESH", "Mesh", "Vertices and edges"),
-        ],
-        default="GREASE_PENCIL" if pencils.are_there() else "MESH",
-    )
-
-    def act(self, context):
-        if self.kind == "GREASE_PENCIL":
-            pencils.need("bake with the type Mesh")
-        scene, (lines, chosen) = context.scene, as_rendered.look(context, _lines)
-        made = baking.objects(lines, chosen, self.kind, scene.frame_current)
-        if not made:
-            raise CannotDraw("The camera sees no lines")
-        collection = bpy.data.collections.new("Lines")
-        scene.collection.children.link(collection)
-        for obj in made:
-            collection.objects.link(obj)
-            # Visibility is already resolved, and lines on surfaces would z-fight with them.
-            obj.show_in_front = True
-        told = f"{len(lines.closed)} strokes in {len(made)} objects of the collection '{collection.name}'"
-        if self.kind == "GREASE_PENCIL" and scene.render.engine == ENGINE:
-            _hide(context.view_layer, collection)
-            told += ", hidden while Fovea draws the same lines: its eye and camera in the outliner show it"
-        if not pencils.are_there():
-            told += ", as meshes: strokes of Grease Pencil need Blender 4.3 or later"
-        self.report({"INFO"}, told)
-
-
-def _hide(view_layer, collection):
-    """Hides a collection of the scene in viewports and renders: Blender draws Grease Pencil over any engine's picture,
-    so all lines would be there twice."""
-    view_layer.layer_collection.children[collection.name].hide_viewport = True
-    collection.hide_render = True
-
-
-def _lines(engine, depsgraph):
-    """(DrawnLines, Style) for a final render's depsgraph."""
-    chosen, options = properties.style_of(depsgraph.scene_eval), pipeline.options()
-    near = session.lines_near(engine, depsgraph, chosen, native.load().CpuBackend(), options)
-    found = reading.Reader().read(depsgraph, chosen)
-    if not found.snapshot.surfaces:
-        raise CannotDraw("There is nothing in the scene that has lines")
-    return drawn_lines.of(found, camera.of_render(engine, depsgraph), chosen, options, near), chosen

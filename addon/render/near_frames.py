@@ -14,7 +14,7 @@ def shown_lines(engine, depsgraph, frames, look):
     """{frame offset: look()} for the offsets -frames .. frames except 0, with the depsgraph evaluated at that frame.
     Left out are frames where look() is None and those with another active camera, which are beyond a cut."""
     found, seen_by = {}, camera.chosen(engine, depsgraph).name_full
-    with _other_frames(engine, depsgraph.scene) as go:
+    with other_frames(engine, depsgraph.scene) as go:
         for away in range(-frames, frames + 1):
             if away == 0:
                 continue
@@ -25,7 +25,7 @@ def shown_lines(engine, depsgraph, frames, look):
 
 
 @contextmanager
-def _other_frames(engine, scene):
+def other_frames(engine, scene):
     """Context with a function go(offset) that evaluates the engine's depsgraph at another frame; restores it after."""
     frame, subframe = scene.frame_current, scene.frame_subframe
     try:

@@ -127,6 +127,9 @@ SECTIONS = {  # picture -> its scene or model, and how that is drawn
     "plan": ("office", Stage(variants.PLAN)),
     "part": (CUT_PART[0], Stage((*CUT_PART[1], "--style", "plan"))),
 }
+_BRUSH = Stage(("--style", "brush", "--without", "colors"))
+GREASE_PENCIL = {"film": _BRUSH, "baked": _BRUSH}  # strokes of one scene as Fovea draws them, and as they are baked
+PENCIL_VIEW = 0.5, 0.45, 1.4  # as STAGE_VIEW
 _LIGHT = {"pen.second_color": (0.5, 0.5, 0.5)}
 STROKES_SIZE = "280x210"
 STROKES_WORDS = (*MONKEY[1], "--style", "plain", "--lines", "smooth_contour,suggestive_contour,crease,border")
@@ -152,7 +155,7 @@ STEPS = ("1_engine", "2_rendered", "3_style", "4_focus", "5_pull")  # pictures o
 # Name -> {picture: its description}; each group is a folder of addon/docs.
 GROUPS = {
     "lines": LINES, "sections": SECTIONS, "way": WAY, "focus": FOCUS, "strokes": STROKES, "situations": SITUATIONS,
-    "over": OVER, "transfers": TRANSFERS,
+    "over": OVER, "transfers": TRANSFERS, "grease_pencil": GREASE_PENCIL,
 }  # fmt: skip
 
 

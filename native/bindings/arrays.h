@@ -88,6 +88,12 @@ auto viewing(Array<T> Structure::* array) {
     return [array](py::object self) { return view_numpy(self.cast<const Owner&>().*array, self); };
 }
 
+/// Getter of row offsets into an owner's flat arrays.
+template <typename Owner, typename Structure>
+auto viewing_rows(Rows Structure::* rows) {
+    return [rows](py::object self) { return view_numpy((self.cast<const Owner&>().*rows).offsets, self); };
+}
+
 /// Binds the columns (base/columns.h) of a structure, or of a part of it, as read-only properties.
 template <typename Class, typename Columns>
 void bind_columns(Class& bound, const Columns& columns) {

@@ -50,12 +50,6 @@ py::typing::List<py::typing::Dict<std::string, py::object>> definitions() {
     return result;
 }
 
-/// Getter of row offsets into an owner's flat arrays.
-template <typename Owner, typename Structure>
-auto viewing_rows(Rows Structure::* rows) {
-    return [rows](py::object self) { return view_numpy((self.cast<const Owner&>().*rows).offsets, self); };
-}
-
 }  // namespace
 
 void bind_paths(py::module_& m) {
@@ -96,7 +90,6 @@ void bind_paths(py::module_& m) {
     bind_columns(polylines, CompactRuns::run_columns);
     bind_columns(polylines, Polylines::pen_columns);
     bind_columns(polylines, CompactRuns::point_columns);
-    bind_columns(polylines, Polylines::mix_columns);
 }
 
 }  // namespace fovea::bindings

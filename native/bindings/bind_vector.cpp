@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Frames as vectors.
+#include <fovea/vector/center_lines.h>
 #include <fovea/vector/compose.h>
 #include <fovea/vector/file.h>
 #include <fovea/vector/page.h>
@@ -34,7 +35,21 @@ py::bytes bytes_of(const KindOfDrawing& drawing) {
 
 }  // namespace
 
+void bind_center_lines(py::module_& m) {
+    using vector::CenterLines;
+    py::class_<CenterLines> lines(m, "CenterLines",
+                                  "A frame's strokes as R polylines of M points in all, with what their pens make of "
+                                  "them; takes the frame's steps up to `ink`.");
+    lines.def(py::init(&vector::center_lines_of), NoGil(), py::arg("frame"))
+        .def("__len__", [](const CenterLines& lines) { return lines.pen.size(); })
+        .def_property_readonly("offsets", viewing_rows<CenterLines>(&CenterLines::rows),
+                               "(R + 1,) uint32: points of line i are offsets[i] .. offsets[i + 1]");
+    bind_columns(lines, CenterLines::line_columns);
+    bind_columns(lines, CenterLines::point_columns);
+}
+
 void bind_vector(py::module_& m) {
+    bind_center_lines(m);
     bind_record<vector::Options>(m, "VectorOptions",
                                  "What a drawing is like as vectors; see native/fovea/vector/options.h.");
     m.attr("SHEETS") = choices<vector::Sheet>();

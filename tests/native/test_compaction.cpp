@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Runs read back as polylines: their ends on the line, in the image and in space.
 #include <gtest/gtest.h>
-#include <set>
 #include <tbb/global_control.h>
 
 #include <fovea/runs/compaction.h>
@@ -62,40 +61,6 @@ TEST(Compaction, ALineThatEndsEndlesslyFarAwayHasItsEnds) {
     const Runs runs = runs_of({{0, first, 0.5 * (first + last)}, {0, 0.5 * (first + last), last}});
     for (const vec3& position : compact(clipped, wires.paths, runs).position_view)
         for (int i = 0; i < 3; ++i) EXPECT_TRUE(std::isfinite(position[i]));
-}
-
-TEST(Compaction, KnotsArePointsOnTheLineAndNothingElseChanges) {
-    for (bool orthographic : {false, true}) {
-        const View view = camera(0.1, orthographic);
-        const dvec3 a = orthographic ? dvec3(-0.5, 0.1, -3) : at(100, 100, 3),
-                    b = orthographic ? dvec3(0.6, 0.2, -9) : at(500, 300, 12);
-        const std::vector<dvec3> other = orthographic ? std::vector<dvec3>{{-0.5, 0.3, -3}, {-0.3, 0.3, -3}}
-                                                      : std::vector<dvec3>{at(10, 10), at(90, 10)};
-        const Wires wires({divided(a, b, 3), other});
-        const ClippedPaths clipped = wires.project(view);
-        const double first = clipped.arc_px[0], last = clipped.arc_px[3], middle = 0.5 * (first + last);
-        const Runs runs = runs_of({{0, first, middle}, {0, middle, last}, {1, -20, 20}});
-        Lists<double> knots;
-        knots.offsets = {0, 2, 2, 3};
-        knots.values = {first + 1.0, middle - 1.0, 5.0};
-        const CompactRuns plain = compact(clipped, wires.paths, runs),
-                          found = compact(clipped, wires.paths, runs, knots);
-        ASSERT_EQ(found.px.size(), plain.px.size() + 3u);
-        for (Index r = 0; r < 3; ++r) {
-            std::set<double> wanted(plain.arc_px.begin() + plain.rows.begin(r),
-                                    plain.arc_px.begin() + plain.rows.end(r));
-            wanted.insert(knots[r].begin(), knots[r].end());
-            const std::vector<double> arcs(found.arc_px.begin() + found.rows.begin(r),
-                                           found.arc_px.begin() + found.rows.end(r));
-            EXPECT_EQ(arcs, std::vector<double>(wanted.begin(), wanted.end())) << r;
-        }
-        for (Index i = 0; i < found.rows.end(1); ++i) {
-            EXPECT_LT(glm::length(seen_at(view, found.position_view[i]) - dvec2(found.px[i])), 1e-3) << i;
-            EXPECT_LT(distance_to_line(dvec3(found.position_view[i]), a, b), 1e-5) << i;
-        }
-        knots.offsets = {0, 3};
-        EXPECT_THROW(compact(clipped, wires.paths, runs, knots), std::invalid_argument);
-    }
 }
 
 TEST(Compaction, KindsAreThoseOfTheSegmentFromAPoint) {

@@ -99,38 +99,6 @@ TEST(Frame, PolylinesAreTheRunsOfThePictureWithTheirPens) {
     }
 }
 
-TEST(Frame, PolylinesKnowHowFarEachEffectGoesAlongThem) {
-    Job job = job_of(with_hidden_lines);
-    style::Style& style = job.style;
-    style.line_sets[0].pen_away = style.line_sets[0].pen;
-    style.focus.model = style::FocusModel::scene;
-    style::FocusPlace& place = style.focus.points.emplace_back();
-    place.at = {0, 1, 0};
-    place.near = 0.0;
-    place.far = 4.0;
-    style.effects.color.strength = 0.25;
-    Frame plain(job_of(with_hidden_lines)), frame(std::move(job));
-    const Polylines without = polylines_of(plain), lines = polylines_of(frame);
-    EXPECT_TRUE(std::ranges::all_of(without.mix, [](const vec4& mix) { return mix == vec4(0.0f); }));
-    EXPECT_EQ(without.pen_away, without.pen);
-    ASSERT_EQ(lines.mix.size(), lines.px.size());
-    EXPECT_GT(lines.px.size(), without.px.size()) << "focus bends along the lines";
-    float least = 1.0f, most = 0.0f;
-    const View& view = frame.job.view;
-    for (Index r = 0; r < lines.rows.count(); ++r) {
-        if (lines.invisibility[r] > 0) continue;
-        EXPECT_GT(lines.pen_away[r], lines.pen[r]);
-        for (Index i = lines.rows.begin(r); i < lines.rows.end(r); ++i) {
-            const dvec3 place(view.world_to_view * dvec4(0, 1, 0, 1));
-            const float focus = std::min(float(glm::distance(dvec3(lines.position_view[i]), place)) / 4.0f, 1.0f);
-            EXPECT_NEAR(lines.mix[i].z, focus, 0.06f);
-            EXPECT_NEAR(lines.mix[i].x, 0.25f * lines.mix[i].z, 1e-4f);
-            least = std::min(least, lines.mix[i].z), most = std::max(most, lines.mix[i].z);
-        }
-    }
-    EXPECT_GT(most - least, 0.3f);
-}
-
 TEST(Frame, SampledMethodsSeeNearlyWhatRaysSee) {
     const auto length = [](Visibility visibility) {
         Frame frame(job_of(with_hidden_lines, {.visibility = visibility}));

@@ -3,9 +3,6 @@
 
 #include <algorithm>
 
-#include <fovea/base/parallel.h>
-#include <fovea/stroke/emphasis.h>
-
 namespace fovea::draw {
 namespace {
 
@@ -39,31 +36,6 @@ float mean_between(const std::vector<PieceSample>& samples, In<float> values, do
     return float(glm::mix(double(values[before->number]), double(values[after->number]), share));
 }
 
-/// Per run: effects of focus and distance along it.
-std::vector<EmphasisAlong> emphasis_of_runs(const Frame& frame) {
-    const Runs& runs = *frame.runs;
-    const Emphasis emphasis = frame.emphasis({});
-    std::vector<EmphasisAlong> along(runs.size());
-    parallel_for(runs.size(), [&](std::size_t r) {
-        find_emphasis(*frame.clipped, emphasis, runs.piece[r], runs.start_px[r], runs.end_px[r], along[r]);
-    });
-    return along;
-}
-
-/// Knots of the effects between the ends of each run.
-Lists<double> knots_of(const Runs& runs, const std::vector<EmphasisAlong>& along) {
-    Lists<double> knots;
-    knots.offsets.resize(runs.size());
-    for (std::size_t r = 0; r < runs.size(); ++r) {
-        const std::size_t before = knots.values.size();
-        for (double arc : along[r].arc)
-            if (arc > runs.start_px[r] && arc < runs.end_px[r]) knots.values.push_back(arc);
-        knots.offsets[r] = Index(knots.values.size() - before);
-    }
-    counts_to_offsets(knots.offsets);
-    return knots;
-}
-
 }  // namespace
 
 Array<float> means_over(const ClippedPaths& clipped, const CompactRuns& lines, In<float> values) {
@@ -78,18 +50,9 @@ Array<float> means_over(const ClippedPaths& clipped, const CompactRuns& lines, I
 
 Polylines polylines_of(Frame& frame) {
     frame.thin();
-    const std::vector<EmphasisAlong> along = emphasis_of_runs(frame);
-    Polylines found{compact(*frame.clipped, *frame.paths, *frame.runs, knots_of(*frame.runs, along)), {}, {}, {}, {}};
+    Polylines found{compact(*frame.clipped, *frame.paths, *frame.runs), {}, {}};
     const Pens pens = pens_of(frame.job.style, *frame.job.assets, frame.scale());
     found.pen = pens_of_runs(*frame.clipped, *frame.runs, frame.paths->line_set, pens.ranges);
-    found.pen_away = found.pen;
-    for (Index& pen : found.pen_away)
-        if (pen != none && pens.pens[pen].away != none) pen = pens.pens[pen].away;
-    found.mix.resize(found.arc_px.size());
-    parallel_for(along.size(), [&](std::size_t r) {
-        for (Index i = found.rows.begin(Index(r)); i < found.rows.end(Index(r)); ++i)
-            found.mix[i] = mix_at(along[r], found.arc_px[i]);
-    });
     if (frame.shown.empty())
         found.shown.assign(found.path.size(), 1.0f);
     else

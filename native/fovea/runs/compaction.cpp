@@ -27,15 +27,11 @@ Inner inner_points(const ClippedPaths& clipped, Index piece, double start, doubl
     return {static_cast<Index>(from - arcs), static_cast<Index>(to - arcs)};
 }
 
-In<double> knots_of(const Lists<double>& knots, std::size_t run) {
-    return knots.values.empty() ? In<double>() : knots[static_cast<Index>(run)];
-}
-
 /// Writes the points of runs.
 class Writer {
    public:
-    Writer(const ClippedPaths& clipped, const Paths& paths, const Lists<double>& knots, CompactRuns& out)
-        : clipped_(clipped), paths_(paths), knots_(knots), out_(out) {}
+    Writer(const ClippedPaths& clipped, const Paths& paths, CompactRuns& out)
+        : clipped_(clipped), paths_(paths), out_(out) {}
 
     void write(std::size_t run) {
         piece_ = out_.piece[run];
@@ -45,13 +41,7 @@ class Writer {
         const Inner inner = inner_points(clipped_, piece_, start, end);
         Index at = out_.rows.begin(static_cast<Index>(run));
         write_end(at++, start);
-        const In<double> knots = knots_of(knots_, run);
-        auto knot = knots.begin();
-        for (Index i = inner.first; i < inner.last; ++i) {
-            for (; knot != knots.end() && *knot < clipped_.arc_px[i]; ++knot) write_end(at++, *knot);
-            write_point(at++, i);
-        }
-        for (; knot != knots.end(); ++knot) write_end(at++, *knot);
+        for (Index i = inner.first; i < inner.last; ++i) write_point(at++, i);
         write_end(at, end);
         out_.kinds[at] = out_.kinds[at - 1];
     }
@@ -110,18 +100,16 @@ class Writer {
 
     const ClippedPaths& clipped_;
     const Paths& paths_;
-    const Lists<double>& knots_;
     CompactRuns& out_;
     Index piece_ = 0, begin_ = 0, last_ = 0;  // the current piece, and its first and last point
 };
 
 }  // namespace
 
-CompactRuns compact(const ClippedPaths& clipped, const Paths& paths, const Runs& runs, const Lists<double>& knots) {
+CompactRuns compact(const ClippedPaths& clipped, const Paths& paths, const Runs& runs) {
     check_runs(clipped, runs);
     const std::size_t count = runs.size();
     check_same_paths(clipped, paths, "compact");
-    check(knots.values.empty() || knots.count() == count, "compact: knots of other runs");
     CompactRuns out;
     resize_columns(out, CompactRuns::run_columns, count);
     out.rows.offsets.resize(count);
@@ -132,7 +120,7 @@ CompactRuns compact(const ClippedPaths& clipped, const Paths& paths, const Runs&
     parallel_for(count, [&](std::size_t r) {
         const Index piece = runs.piece[r], path = clipped.path[piece];
         const Inner inner = inner_points(clipped, piece, runs.start_px[r], runs.end_px[r]);
-        out.rows.offsets[r] = 2 + inner.last - inner.first + static_cast<Index>(knots_of(knots, r).size());
+        out.rows.offsets[r] = 2 + inner.last - inner.first;
         out.path[r] = path;
         out.path_id[r] = paths.id[path];
         out.line_set[r] = paths.line_set[path];
@@ -145,7 +133,7 @@ CompactRuns compact(const ClippedPaths& clipped, const Paths& paths, const Runs&
     counts_to_offsets(out.rows.offsets);
     resize_columns(out, CompactRuns::point_columns, points);
     parallel_blocks(count, 1024, [&](std::size_t, std::size_t first, std::size_t last) {
-        Writer writer(clipped, paths, knots, out);
+        Writer writer(clipped, paths, out);
         for (std::size_t r = first; r < last; ++r) writer.write(r);
     });
     return out;

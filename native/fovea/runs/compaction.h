@@ -42,12 +42,11 @@ struct CompactRuns {
                "line_definitions()"}};
 };
 
-/// The points of the paths within each run, its `knots` (per run ascending arc lengths [px]
-/// between its ends; none: no run has any), and its two ends: pixel positions are interpolated linearly in the image,
+/// The points of the paths within each run, and its two ends: pixel positions are interpolated linearly in the image,
 /// view-space positions and strength linearly along the line in space. Where a run overshoots its line, the line's end
 /// is a point, too, and the run continues in the direction of the line's last 3 pixels, at the depth of its end. Throws
 /// std::invalid_argument where runs, pieces and paths do not belong together. Parallel; the result does not depend on
 /// the number of threads.
-CompactRuns compact(const ClippedPaths& clipped, const Paths& paths, const Runs& runs, const Lists<double>& knots = {});
+CompactRuns compact(const ClippedPaths& clipped, const Paths& paths, const Runs& runs);
 
 }  // namespace fovea::runs

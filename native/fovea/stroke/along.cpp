@@ -29,13 +29,6 @@ dvec2 place(const CenterLine& line, bool closed, double arc) {
     return glm::mix(a.px, b.px, t);
 }
 
-/// Distance from the camera along the view axis at an arc length of a piece.
-double distance_at(const ClippedPaths& clipped, Index piece, double arc) {
-    const Index i = clipped.segment_at(piece, arc);
-    const double s = clipped.share_at(i, arc), a = -clipped.position_view[i].z, b = -clipped.position_view[i + 1].z;
-    return glm::mix(a, b, clipped.orthographic ? s : share_in_space(s, a, b));
-}
-
 /// Knots of a transfer function, as fractions of a stroke; a step has one.
 void add_places(const style::Transfer& transfer, std::vector<double>& places) {
     if (transfer.strength == 0.0) return;
@@ -50,6 +43,12 @@ float left(float near, float away, float mix, float near_share, float away_share
 }
 
 }  // namespace
+
+double distance_at(const ClippedPaths& clipped, Index piece, double arc) {
+    const Index i = clipped.segment_at(piece, arc);
+    const double s = clipped.share_at(i, arc), a = -clipped.position_view[i].z, b = -clipped.position_view[i + 1].z;
+    return glm::mix(a, b, clipped.orthographic ? s : share_in_space(s, a, b));
+}
 
 Modifiers::Modifiers(const Pen& pen)
     : nib_{vec3(pen.look.nib_width, pen.look.nib_opacity, pen.look.nib_color)},

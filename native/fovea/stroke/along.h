@@ -49,6 +49,9 @@ class Modifiers {
     double reach_px_, near_, far_, wave_px_;
 };
 
+/// Distance from the camera along the view axis at an arc length of a piece, clamped to its ends.
+double distance_at(const ClippedPaths& clipped, Index piece, double arc);
+
 /// Changes a shaped line by the modifiers of its pen in focus and of that out of focus, mixed as their widths,
 /// opacities and colors are. Lines of pens without modifiers stay as they are.
 void modify(CenterLine& line, const PenPair& pens, const Modifiers& in_focus, const Modifiers& out_of_focus,

@@ -127,12 +127,6 @@ void find_emphasis(const ClippedPaths& clipped, const Emphasis& e, Index piece, 
     if (last > first) keep(before);
 }
 
-vec4 mix_at(const EmphasisAlong& emphasis, double arc) {
-    if (emphasis.arc.empty()) return vec4(0.0f);
-    const Between at = between(emphasis, arc);
-    return glm::mix(emphasis.mix[at.a], emphasis.mix[at.b], at.t);
-}
-
 void emphasize(CenterLine& line, const EmphasisAlong& emphasis) {
     if (emphasis.arc.empty() || line.size() < 2) return;
     insert_points(line, emphasis.arc);

@@ -36,9 +36,6 @@ void check_emphasis(const ClippedPaths& clipped, const Emphasis& emphasis);
 void find_emphasis(const ClippedPaths& clipped, const Emphasis& emphasis, Index piece, double start_px, double end_px,
                    EmphasisAlong& out);
 
-/// The mixes at an arc length: linear between knots, constant beyond them; 0 without any.
-vec4 mix_at(const EmphasisAlong& emphasis, double arc);
-
 /// Inserts points at the knots of the emphasis, and sets CenterPoint::mix and ::shown of all points; before `shape`.
 void emphasize(CenterLine& line, const EmphasisAlong& emphasis);
 

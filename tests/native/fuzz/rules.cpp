@@ -5,6 +5,7 @@
 #include <regex>
 
 #include <fovea/draw/polylines.h>
+#include <fovea/vector/center_lines.h>
 
 namespace fovea::fuzz {
 using namespace draw;
@@ -68,7 +69,9 @@ void check_arrays(Frame& frame) {
     check_columns(lines, CompactRuns::run_columns, "polylines");
     check_columns(lines, CompactRuns::point_columns, "polylines");
     check_columns(lines, Polylines::pen_columns, "polylines");
-    check_columns(lines, Polylines::mix_columns, "polylines");
+    const vector::CenterLines strokes = vector::center_lines_of(frame);
+    check_columns(strokes, vector::CenterLines::line_columns, "center lines");
+    check_columns(strokes, vector::CenterLines::point_columns, "center lines");
 
     const std::size_t pixels = std::size_t(frame.job.view.width) * std::size_t(frame.job.view.height);
     const auto check_pass = [&](const auto& pass, const char* name) {
