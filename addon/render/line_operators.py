@@ -142,7 +142,7 @@ def _hide(view_layer, collection):
 def _lines(engine, depsgraph):
     """(DrawnLines, Style) for a final render's depsgraph."""
     chosen, options = properties.style_of(depsgraph.scene_eval), pipeline.options()
-    near = session.lines_near(engine, depsgraph, chosen, native.load().CpuBackend(), options)
+    near = session.lines_near(engine, depsgraph, properties.style_drawn, native.load().CpuBackend(), options)
     found = reading.Reader().read(depsgraph, chosen)
     if not found.snapshot.surfaces:
         raise CannotDraw("There is nothing in the scene that has lines")
