@@ -8,14 +8,15 @@ import bpy
 
 from .. import files
 from ..scene.problem import CannotDraw
-from . import vector_settings, vectors
+from . import vector_settings, vectors, whole_frames
 
 def write(engine, depsgraph, frame):
     """Writes the file beside the picture of a final render from its native Frame, if the scene asks for one."""
     settings = depsgraph.scene.fovea.vectors
     if settings.kind == vector_settings.OFF[0]:
         return
-    kind, path = settings.kind.lower(), _path(engine, depsgraph).with_suffix(f".{settings.kind.lower()}")
+    kind = settings.kind.lower()
+    path = whole_frames.in_place(_path(engine, depsgraph)).with_suffix(f".{kind}")
     asked = vectors.options(**vector_settings.values(settings, vector_settings.VECTORS))
     try:
         path.parent.mkdir(parents=True, exist_ok=True)

@@ -6,6 +6,7 @@ from functools import partial
 from .. import files, native, pipeline
 from . import as_rendered, one_bit, open_raster, properties, session, vector_settings
 
+
 def options(**given):
     """Native VectorOptions; those not given have their defaults."""
     return native.load().VectorOptions(**given)

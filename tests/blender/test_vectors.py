@@ -119,12 +119,11 @@ def test_a_drawing_that_is_stopped_is_told_in_a_sentence(scene, tmp_path, monkey
 
 
 def test_kinds_are_there_as_soon_as_the_native_module_is(monkeypatch):
-    operators = part("render.vector_operators")
-    monkeypatch.setattr(operators, "_kept", [])
+    monkeypatch.setattr(vectors, "_kept", {})
     with monkeypatch.context() as without:
-        without.setattr(operators.vector_settings, "kinds", list)
-        assert operators._kinds() == []
-    assert [name for name, *_ in operators._kinds()] == ["svg", "pdf", "dxf", "ora", "png"]
+        without.setattr(vectors, "choices", lambda _of: [])
+        assert vectors.kept_items("KINDS") == []
+    assert [name for name, *_ in vectors.kept_items("KINDS")] == ["svg", "pdf", "dxf", "ora", "png"]
 
 
 def test_nothing_is_left_where_a_file_cannot_be_written(scene, tmp_path):

@@ -6,6 +6,7 @@
 
 #include <fovea/color/displayed.h>
 #include <fovea/color/screentone.h>
+#include <fovea/color/srgb.h>
 #include <fovea/draw/layered.h>
 
 #include "refused.h"

@@ -28,12 +28,6 @@ double needed(double below, double above) {
 
 }  // namespace
 
-dvec3 displayed(const dvec3& linear) {
-    dvec3 color(0.0);
-    for (int c = 0; c < 3; ++c) color[c] = to_srgb(std::clamp(float(linear[c]), 0.0f, 1.0f));
-    return color;
-}
-
 double displayed_opacity(double opacity, const dvec3& color, const dvec3& paper) {
     const float ink = mean(color), below = mean(paper);
     const float whole = to_srgb(below) - to_srgb(ink);

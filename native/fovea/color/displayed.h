@@ -6,9 +6,6 @@
 
 namespace fovea::color {
 
-/// A scene-linear color as displayed, each channel in [0,1].
-dvec3 displayed(const dvec3& linear);
-
 /// Opacity with which a color over paper looks the same where displayed values are mixed, as by programs that show
 /// vectors and layers, as where light is, as in pictures. Both scene-linear; by their means.
 double displayed_opacity(double opacity, const dvec3& color, const dvec3& paper);

@@ -5,6 +5,7 @@
 
 #include <fovea/color/displayed.h>
 #include <fovea/color/png.h>
+#include <fovea/color/section_fill.h>
 
 namespace fovea::draw {
 namespace {
@@ -57,10 +58,16 @@ class Layers {
         const bool colored = !frame_.passes.color.empty(), has_paper = !style_.paper.transparent;
         const Array<vec4> paper = has_paper ? frame_.bare_paper() : Array<vec4>();
         if (has_paper) add("", "paper", color::displayed_bytes(paper, true));
-        if (!colored) return;
-        const Array<vec4> ground = frame_.ground();
-        add("", "colors",
-            has_paper ? color::bytes_between(paper, ground, frame_.passes.color) : color::displayed_bytes(ground, true));
+        if (colored) {
+            const Array<vec4> ground = frame_.ground();
+            add("", "colors",
+                has_paper ? color::bytes_between(paper, ground, frame_.passes.color)
+                          : color::displayed_bytes(ground, true));
+        }
+        if (!style_.section.filled) return;
+        Array<vec4> inside(std::size_t(view_.width) * view_.height, vec4(0.0f));
+        fill_section(section_sides(*frame_.job.scene, view_), view_, vec3(style_.section.color), inside);
+        add("", "section", color::bytes_over(inside, style_.paper.color));
     }
 
     /// Those of hidden parts of lines below those of visible ones.

@@ -8,6 +8,7 @@
 
 #include <fovea/base/cancel.h>
 #include <fovea/color/displayed.h>
+#include <fovea/color/srgb.h>
 #include <fovea/style/ranges.h>
 #include <fovea/vector/fit.h>
 #include <fovea/vector/plot.h>

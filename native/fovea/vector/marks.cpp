@@ -5,6 +5,7 @@
 
 #include <fovea/base/check.h>
 #include <fovea/color/displayed.h>
+#include <fovea/color/srgb.h>
 
 namespace fovea::vector {
 namespace {
