@@ -10,6 +10,7 @@ from .. import files
 from ..scene.problem import CannotDraw
 from . import vector_settings, vectors, whole_frames
 
+
 def write(engine, depsgraph, frame):
     """Writes the file beside the picture of a final render from its native Frame, if the scene asks for one."""
     settings = depsgraph.scene.fovea.vectors

@@ -24,6 +24,7 @@ _log = logging.getLogger(__package__)
 readers = {}  # depsgraph mode -> Reader
 _statistics, _remarked = {}, set()  # and remarks that were reported already
 
+
 def last_statistics():
     """Statistics of the last picture: stages {name: ms}; backend; visibility, the method in words; strokes and
     triangles, counts; curvature {object: which estimator, and why}, only of objects whose curvature was needed; and

@@ -92,7 +92,12 @@ def _parser():
     add("--probes", choices=("1", "4", "9", "16"), help="looks into the depth buffer per sample (9)")
     add("--depth-scale", type=int, choices=(1, 2, 3), help="texels of the depth buffer per pixel (2)")
     add("--layers", type=int, choices=(1, 2, 3), help="lines to a texel of the item buffer (3)")
-    add("--frames", type=quantities.frames, metavar="A-B", help="an animation: OUT_0001.png ..., or what # are in OUT_####.png")
+    add(
+        "--frames",
+        type=quantities.frames,
+        metavar="A-B",
+        help="an animation: OUT_0001.png ..., or what # are in OUT_####.png",
+    )
     add("--style", metavar="NAME|FILE.json")
     add("--lines", type=lambda text: text.split(","), metavar="A,B", help="line definitions, or all: only these")
     add("--param", type=quantities.assignment, action="append", default=[], metavar="DEFINITION.NAME=VALUE")
@@ -229,7 +234,9 @@ def _check_over(options):
         if getattr(options, name) is not None and not options.over:
             raise ValueError(f"--{name} is for lines over renders: name the engine, as --over cycles")
     if options.over and (options.sheet or options.output.suffix in VECTORS):
-        raise ValueError(f"--over {options.over} draws a picture: leave out --sheet, and name a {' or '.join(PICTURES)}")
+        raise ValueError(
+            f"--over {options.over} draws a picture: leave out --sheet, and name a {' or '.join(PICTURES)}"
+        )
 
 
 def _check_sheet(options):

@@ -168,7 +168,12 @@ def test_every_render_writes_vectors_beside_its_picture(scene, tmp_path):
     assert (tmp_path / "still_0001.svg").read_bytes() == expected
     scene.frame_start, scene.frame_end, scene.render.filepath = 3, 4, str(tmp_path / "new" / "a_##")
     bpy.ops.render.render(animation=True)
-    assert sorted(file.name for file in (tmp_path / "new").iterdir()) == ["a_03.png", "a_03.svg", "a_04.png", "a_04.svg"]
+    assert sorted(file.name for file in (tmp_path / "new").iterdir()) == [
+        "a_03.png",
+        "a_03.svg",
+        "a_04.png",
+        "a_04.svg",
+    ]
     assert (tmp_path / "new" / "a_04.svg").read_bytes() == expected
     scene.fovea.vectors.kind = "ORA"
     drawn(scene, tmp_path / "still.png")
@@ -202,6 +207,8 @@ def test_sequences_have_the_frame_s_number_where_rows_of_hashes_are(scene, tmp_p
     files = {file.name: file.read_bytes() for file in tmp_path.glob("*.svg")}
     assert sorted(files) == ["x_001_y.svg", "x_002_y.svg"] and len(set(files.values())) == 2
     draw.main([str(tmp_path / "box.blend"), "-o", str(tmp_path / "x.ora")])
-    draw.main([str(tmp_path / "box.blend"), "-o", str(tmp_path / "x.png"), "--one-bit", "--dpi", "72", "--screen", "12"])
+    draw.main(
+        [str(tmp_path / "box.blend"), "-o", str(tmp_path / "x.png"), "--one-bit", "--dpi", "72", "--screen", "12"]
+    )
     assert pixels_of(tmp_path / "x.png").shape[0] == round(HEIGHT_MM / 25.4 * 72)
     assert not list(tmp_path.glob("*.pdf")) and (tmp_path / "x.ora").exists()

@@ -45,8 +45,8 @@ double white_share(float gray, const Screen& screen = {}) {
 TEST(Layered, HasPaperAndTheLinesOfEachSetWithHiddenOnesApart) {
     Frame frame = cube(two_sets(), 90, 90);
     const LayeredPicture picture = layered(frame);
-    EXPECT_EQ(names_of(picture), (std::vector<std::string>{"/paper", "1 outline/visible", "2 edges/hidden",
-                                                           "2 edges/visible"}));
+    EXPECT_EQ(names_of(picture),
+              (std::vector<std::string>{"/paper", "1 outline/visible", "2 edges/hidden", "2 edges/visible"}));
     for (const PictureLayer& layer : picture.layers) EXPECT_EQ(layer.png.substr(1, 3), "PNG");
     EXPECT_EQ(picture.merged.substr(1, 3), "PNG");
     style::Style transparent = two_sets();

@@ -74,7 +74,7 @@ FOLDERS = "gpu scene focus style render ui".split()
 # `native.load()` gives the native module; other parts get handles from these.
 LOADERS = (
     r"addon/(gpu/\w+|catalogue|curve_fit|line_arrays|pipeline|scene/api|style/(__init__|style_picture)|"
-    r"render/(drawn_lines|gpu_check|line_operators|methods|reading|session|vector_settings|vectors|viewport|"
+    r"render/(drawn_lines|gpu_check|line_operators|methods|passes|reading|session|vector_settings|vectors|viewport|"
     r"whole_pictures)|ui/preferences)\.py"
 )
 
