@@ -1305,6 +1305,7 @@ class Frame:
     def see(self) -> None: ...
     def filter(self) -> None: ...
     def thin(self) -> None: ...
+    def shape(self) -> None: ...
     def ink(self) -> None: ...
     def picture(self) -> None: ...
     def passes(self) -> dict[str, object]:
@@ -1573,6 +1574,7 @@ class VectorOptions:
     def ground(self) -> bool: ...
     @property
     def plotter(self) -> bool: ...
+    fields: ClassVar[tuple]
 
 SHEETS: list
 
@@ -1586,11 +1588,37 @@ def sheet_size(sheet: str) -> tuple[float, float]:
 class Drawing:
     """A frame's strokes as layers of curves."""
     def __init__(self, frame: Frame, options: VectorOptions, kind: str='svg') -> None:
-        """Takes the frame's steps up to `ink`; kind: of files, svg, pdf or dxf."""
+        """Takes the frame's steps up to `shape`; kind: of files, svg, pdf or dxf."""
     @property
     def figures(self) -> dict:
         """{what there is: how much}"""
     def file(self) -> bytes:
         """The bytes of a file."""
+
+def layered_picture(frame: Frame) -> tuple:
+    """([(line set or '', name, PNG of a layer) from below], PNG of the picture, PNG of its thumbnail); takes all steps
+    of the frame."""
+
+class Screen:
+    """How a picture becomes black and white; see native/fovea/color/screentone.h."""
+    def __init__(self, **kwargs) -> None: ...
+    def replace(self, **kwargs) -> Screen:
+        """The same with other values."""
+    def __eq__(self, other: Screen) -> bool: ...
+    def __hash__(self) -> int: ...
+    @property
+    def dpi(self) -> float: ...
+    @property
+    def lines_per_inch(self) -> float: ...
+    @property
+    def angle(self) -> float: ...
+    @property
+    def threshold(self) -> float: ...
+    fields: ClassVar[tuple]
+    def page_height(self, height_mm: float) -> int:
+        """Height in pixels of a page."""
+
+def one_bit(frame: Frame, screen: Screen) -> NDArray[numpy.uint8]:
+    """(H, W) uint8, bottom row first: 1 is white, 0 black; takes all steps of the frame."""
 
 notes: dict

@@ -47,11 +47,13 @@ def style_of_lines(kinds, corner_angle=60.0, with_hidden=False):
     return style.Style(line_sets=(lines,))
 
 
-def draw(scene, view, chosen, backend, asked, **beside):
-    """Renders a scene to an Image; arguments as for `frame`."""
+def draw(scene, view, chosen, backend, asked, also=None, **beside):
+    """Renders a scene to an Image; arguments as for `frame`. `also(frame)` is called when all of its steps are taken."""
     made = frame(scene, view, chosen, backend, asked, **beside)
     with native.refusals():
         made.picture()
+    if also:
+        also(made)
     statistics = {
         "stages": made.stages,
         "strokes": made.strokes.count,

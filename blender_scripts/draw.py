@@ -255,6 +255,7 @@ def set_output(scene, options):
     image.file_format = "PNG" if options.output.suffix == ".png" else "OPEN_EXR"
     image.color_mode = "RGBA" if scene.render.film_transparent else "RGB"
     scene.render.use_file_extension = False
+    scene.fovea.vectors.kind = "NONE"
 
 
 def render(scene, options):
@@ -288,8 +289,8 @@ def render_frames(scene, options, camera=None):
         if dump:  # first, because rendering may fail
             frame_dump.write(bpy.context, dump)
             ending.announce(dump)
-        if path.suffix in draw_options.VECTORS:
-            write_vectors(options, path)
+        if kind := draw_options.kind(options, path):
+            write_drawing(options, path, kind)
         else:
             picture.render(scene, path)
             ending.announce(path)
@@ -303,9 +304,12 @@ def set_scale(scene, scale):
         raise ValueError(f"--scale: {error}") from error
 
 
-def write_vectors(options, path):
-    asked = vectors.options(**draw_options.vector_options(options))
-    drawn = vectors.drawing(bpy.context, path.suffix[1:], asked)
+def write_drawing(options, path, kind):
+    if kind == "png":
+        asked = vectors.screen(**draw_options.screen_options(options))
+    else:
+        asked = vectors.options(**draw_options.vector_options(options))
+    drawn = vectors.drawing(bpy.context, kind, asked)
     if drawn is None:
         raise RuntimeError(f"{path}: stopped before the lines were drawn")
     vectors.write(drawn, path)

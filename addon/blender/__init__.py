@@ -4,7 +4,12 @@
 import importlib
 import sys
 
-MOVED = {"api": "scene", "as_rendered": "render", "session": "render", "style_data": "style"}  # module: its package now
+MOVED = {
+    "api": "render",
+    "as_rendered": "render",
+    "session": "render",
+    "style_data": "style",
+}  # module: its package now
 
 for _name, _folder in MOVED.items():
     _module = importlib.import_module(f"..{_folder}.{_name}", __package__)

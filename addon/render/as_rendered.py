@@ -36,13 +36,16 @@ def looked(engine, depsgraph):
     return True
 
 
-def look(context, take):
+def look(context, take, prepare=None):
     """Returns take(engine, depsgraph), called from a final render of the context's view layer at the current frame.
-    The scene must have a camera. CannotDraw if Blender does not render."""
+    `prepare(scene)` may change the copy of the scene that is rendered. It must have a camera. CannotDraw if Blender
+    does not render."""
     global _look
     layer, outcome = context.view_layer, Future()
     with _copy(context.scene) as scene:
         scene.view_layers[layer.name].use = True
+        if prepare:
+            prepare(scene)
         _look = outcome, take, layer.name
         try:
             bpy.ops.render.render(scene=scene.name, layer=layer.name)
@@ -53,6 +56,14 @@ def look(context, take):
     if not outcome.done():
         raise CannotDraw("Blender is rendering: try again when it is done")
     return outcome.result()
+
+
+def see_from(camera, scene):
+    """Makes an object the camera of a scene, which no marker changes. CannotDraw if it is not in the scene."""
+    if camera.name not in scene.objects or scene.objects[camera.name] != camera:
+        raise CannotDraw(f"'{camera.name}' is not in the scene: add it, or name a camera that is")
+    scene.timeline_markers.clear()
+    scene.camera = camera
 
 
 @contextmanager

@@ -166,7 +166,7 @@ def _lines(engine, depsgraph, numbers, tell):
 def _lines_now(engine, depsgraph, reader, cancel):
     """(DrawnLines, Style, Read) of the frame that a final render's depsgraph is evaluated at."""
     chosen, options = properties.style_drawn(depsgraph), pipeline.options()
-    near = session.lines_near(engine, depsgraph, chosen, native.load().CpuBackend(), options, cancel)
+    near = session.lines_near(engine, depsgraph, properties.style_drawn, native.load().CpuBackend(), options, cancel)
     read = reader.read(depsgraph, chosen, cancel=cancel)
     view = camera.of_render(engine, depsgraph)
     return drawn_lines.of(read, view, chosen, options, near, cancel), chosen, read

@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The render engine: Blender's callbacks, which forward to session.py and viewport.py."""
 
+from functools import partial
+
 import bpy
 from bpy.app.handlers import persistent
 
-from . import as_rendered, gpu_context, session, viewport
+from . import as_rendered, beside_renders, gpu_context, session, viewport
 
 
 class FoveaEngine(bpy.types.RenderEngine):
@@ -23,7 +25,7 @@ class FoveaEngine(bpy.types.RenderEngine):
 
     def render(self, depsgraph):
         if not as_rendered.looked(self, depsgraph):
-            session.render(self, depsgraph)
+            session.render(self, depsgraph, also=partial(beside_renders.write, self, depsgraph))
 
     def view_update(self, context, depsgraph):
         viewport.update(self, depsgraph)

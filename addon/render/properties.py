@@ -11,27 +11,33 @@ from ..scene import followed, own_lines, repair, section
 from ..scene.property_kinds import SHARE, choice, new_group, number, part, pointer, redraw, switch, text, whole_number
 from ..scene.shapes import SHAPES
 from ..style import style_data, style_read
-from . import drawing_scale, gpu_context, lines_over, methods, passes
+from . import drawing_scale, gpu_context, lines_over, methods, passes, vector_settings
 
 
-def style_of(scene, styled=None):
+def style_of(scene, styled=None, given=None):
     """The Style of a scene, with focus and mix applied; of an evaluated scene, with the animated values of its frame.
-    `styled`: the scene whose style it is, if that is another one.
+    `styled`: the scene whose style it is, if that is another one. `given`: a Style to draw with in place of the scene's
+    own and of what that is mixed with.
 
     Creates no datablocks: scenes without a style draw the default one."""
-    settings = (styled or scene).fovea
-    tree, other = style_data.of(styled or scene), settings.mixed_style
-    chosen = style_read.read(tree) if tree else style_data.default()
-    if settings.mix > 0.0 and style_data.is_style(other):
-        chosen = chosen.mixed(style_read.read(other), settings.mix)
+    chosen = given or _own_style(styled or scene)
     transparent = chosen.paper.transparent or scene.render.film_transparent
     paper = chosen.paper.replace(transparent=transparent)
     return chosen.replace(paper=paper, focus=focus_settings.focus_of(scene.fovea))
 
 
-def style_drawn(depsgraph):
-    """The Style that renders of a depsgraph's scene draw; without paper if they are lines over another scene's."""
-    chosen = style_of(followed.evaluated(depsgraph), _styled(depsgraph))
+def _own_style(scene):
+    tree, other = style_data.of(scene), scene.fovea.mixed_style
+    chosen = style_read.read(tree) if tree else style_data.default()
+    if scene.fovea.mix > 0.0 and style_data.is_style(other):
+        chosen = chosen.mixed(style_read.read(other), scene.fovea.mix)
+    return chosen
+
+
+def style_drawn(depsgraph, given=None):
+    """The Style that renders of a depsgraph's scene draw; without paper if they are lines over another scene's. `given`:
+    as for `style_of`."""
+    chosen = style_of(followed.evaluated(depsgraph), _styled(depsgraph), given)
     lies_over = followed.follows(depsgraph.scene)
     return chosen.replace(paper=chosen.paper.replace(transparent=True)) if lies_over else chosen
 
@@ -93,7 +99,7 @@ OCCLUSIONS = [
 ]
 
 
-def _scene_group():
+def _scene_group(vectors):
     of_style = {"type": bpy.types.NodeTree, "poll": lambda _settings, tree: style_data.is_style(tree)}
     follows = "The scene over whose pictures this one draws lines"
     lies = "How lines lie over what another engine renders"
@@ -103,6 +109,7 @@ def _scene_group():
         "mixed_style": pointer("Mix With", told, **of_style),
         "mix": number("Mix", "How far the drawing has gone over into the other style: 0 not at all, 1 wholly", **SHARE),
         "backend": choice("Device", "What draws the lines", items=BACKENDS, update=_backend_chosen),
+        "vectors": part(vectors),
         **methods.properties(),
         **focus_settings.annotations(),
         "lines_blend": choice("Blend", lies, items=BLENDS, get=lines_over.blend, set=lines_over.set_blend),
@@ -179,10 +186,11 @@ _registered = []  # (Blender type that gets the settings, or None for a nested g
 
 
 def register():
-    kinds = own_lines.kinds()
+    kinds, vectors = own_lines.kinds(), vector_settings.group()
     _registered[:] = [
         (None, kinds),
-        (bpy.types.Scene, _scene_group()),
+        (None, vectors),
+        (bpy.types.Scene, _scene_group(vectors)),
         (bpy.types.Object, _object_group(kinds)),
         (bpy.types.Material, _material_group()),
         (bpy.types.Collection, _collection_group()),

@@ -56,8 +56,9 @@ def _style_of(scene_):
         return None
 
 
-def render(engine, depsgraph):
-    """Draws one view layer of a final render. On an error no result is passed on, so Blender writes no file."""
+def render(engine, depsgraph, also=None):
+    """Draws one view layer of a final render. On an error no result is passed on, so Blender writes no file. `also`: as
+    for `pipeline.draw`."""
     report_once(engine, freestyle.OVER if freestyle.is_on(depsgraph.scene) else None)
     what = f"a picture of {engine.resolution_x} x {engine.resolution_y} pixels"
     if followed.follows(depsgraph.scene):
@@ -69,7 +70,7 @@ def render(engine, depsgraph):
             lines_scenes.note(depsgraph.scene, message)
 
     with reported(tell, what):
-        if made := final(engine, depsgraph):
+        if made := final(engine, depsgraph, make=partial(draw, also=also)):
             note_statistics(*made)
             layer, objects = depsgraph.view_layer, made[0].snapshot.drawn
             filled = passes.filled(made[1], layer, properties.line_set_names(followed.of(depsgraph.scene)))
@@ -108,10 +109,10 @@ def gather(engine, depsgraph, chosen, viewport=None, with_colors=True, cancel=No
     return found
 
 
-def draw(found, seen, chosen, backend, options, progress, cancel, near=None):
+def draw(found, seen, chosen, backend, options, progress, cancel, near=None, also=None):
     """The Image of a Read scene in a native View; accesses no Blender data unless the backend does. `near`: {frame
-    offset: ShownLines} of neighboring frames, for elision smoothed in time."""
-    beside = {"colors": found.colors, "notes": found.notes, "near": near}
+    offset: ShownLines} of neighboring frames, for elision smoothed in time. `also`: as for `pipeline.draw`."""
+    beside = {"colors": found.colors, "notes": found.notes, "near": near, "also": also}
     return pipeline.draw(found.placed, seen, chosen, backend, options, **beside, progress=progress, cancel=cancel)
 
 
@@ -122,12 +123,15 @@ def final_image(engine, depsgraph, **how):
     return made and made[1]
 
 
-def final(engine, depsgraph, make=draw, *, lines_alone=False, tell=None):
+def final(engine, depsgraph, make=draw, *, chosen=None, lines_alone=False, tell=None):
     """(Read, result of `make`, seconds spent on neighboring frames) for a final render of the depsgraph's scene, or
-    None if the user canceled it. `make`: called with the arguments of `draw`. `lines_alone`: without colors and without
-    passes but Lines. `tell(share, stage)` receives the progress; None: Blender's progress bar does."""
+    None if the user canceled it. `make`: called with the arguments of `draw`. `chosen`: a Style in place of the scene's
+    own. `lines_alone`: without colors and without passes but Lines. `tell(share, stage)` receives the progress; None:
+    Blender's progress bar does."""
     view, tell = camera.of_render(engine, depsgraph), tell or partial(_progress, engine)
-    core, settings, chosen = native.load(), followed.of(depsgraph.scene).fovea, properties.style_drawn(depsgraph)
+    core, settings = native.load(), followed.of(depsgraph.scene).fovea
+    styled = partial(properties.style_drawn, given=chosen)
+    chosen = styled(depsgraph)
     backend, visibility = methods.choose(engine, settings, in_viewport=False)
     report_once(engine, engine.note)
     asked = {} if lines_alone else passes.options(depsgraph.view_layer, followed.follows(depsgraph.scene))
@@ -137,7 +141,7 @@ def final(engine, depsgraph, make=draw, *, lines_alone=False, tell=None):
     with watched(engine, cancel), cancel:
         try:
             start = time.perf_counter()
-            near = lines_near(engine, depsgraph, chosen, backend, options, cancel)
+            near = lines_near(engine, depsgraph, styled, backend, options, cancel)
             near_s = time.perf_counter() - start if near else 0.0
             # After the neighboring frames, because cached surfaces have the positions of the frame gathered last.
             found = gather(engine, depsgraph, chosen, with_colors=not lines_alone, cancel=cancel)
@@ -146,16 +150,17 @@ def final(engine, depsgraph, make=draw, *, lines_alone=False, tell=None):
             return None
 
 
-def lines_near(engine, depsgraph, chosen, backend, options, cancel=None):
-    """{frame offset: ShownLines} of a final render's neighboring frames, for elision smoothed in time; else {}."""
-    frames = pipeline.frames_near(chosen, options)
-    look = partial(_shown_lines, engine, depsgraph, backend, options, cancel)
+def lines_near(engine, depsgraph, styled, backend, options, cancel=None):
+    """{frame offset: ShownLines} of a final render's neighboring frames, for elision smoothed in time; else {}.
+    `styled(depsgraph)`: its Style, with the animated values of the frame that it is evaluated at."""
+    frames = pipeline.frames_near(styled(depsgraph), options)
+    look = partial(_shown_lines, engine, depsgraph, styled, backend, options, cancel)
     return near_frames.shown_lines(engine, depsgraph, frames, look) if frames else {}
 
 
-def _shown_lines(engine, depsgraph, backend, options, cancel):
+def _shown_lines(engine, depsgraph, styled, backend, options, cancel):
     """ShownLines of the frame that a final render's depsgraph is evaluated at; None if nothing is elided there."""
-    chosen = properties.style_drawn(depsgraph)  # the evaluated scene has the animated values of that frame
+    chosen = styled(depsgraph)
     found = gather(engine, depsgraph, chosen, with_colors=False, cancel=cancel)
     seen = scene.seen(native.load(), camera.of_render(engine, depsgraph))
 

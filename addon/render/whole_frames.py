@@ -84,6 +84,11 @@ class Render:
             print(f"Saved: '{place}'", flush=True)  # as Blender told of the file before it was moved
 
 
+def in_place(path):
+    """Where a file beside a picture that Blender is writing belongs: beside that picture's own place."""
+    return _render.place / path.name if _render and path.parent == _render.folder else path
+
+
 def _paths(scene, frame):
     """The files that Blender writes of a frame, those of both eyes if they are apart."""
     render = scene.render

@@ -53,7 +53,7 @@ def _in_render_menu(menu, _context):
 
 
 def _in_export_menu(menu, _context):
-    menu.layout.operator("fovea.export_vectors", text="Fovea Drawing (.svg, .pdf, .dxf)")
+    menu.layout.operator("fovea.export_vectors", text="Fovea Drawing (.svg, .pdf, .dxf, .ora, .png)")
 
 
 MENUS = {"TOPBAR_MT_render": _in_render_menu, "TOPBAR_MT_file_export": _in_export_menu}

@@ -32,6 +32,7 @@ def _in_menu(self, _context):
     self.layout.separator()
     for name in LINES:
         self.layout.operator(name)
+    self.layout.operator("fovea.export_vectors", text="Export Fovea Drawing...")
     for name in ("standard_view", "freestyle_off", "line_art_off"):
         self.layout.operator(f"fovea.{name}")
 

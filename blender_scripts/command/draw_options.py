@@ -3,6 +3,7 @@
 Blender."""
 
 import argparse
+import re
 from pathlib import Path
 
 import scenes
@@ -11,6 +12,7 @@ from . import model_files, output, quantities
 
 PICTURES = (".png", ".exr")
 VECTORS = (".svg", ".pdf", ".dxf")
+LAYERS = (".ora",)
 SHEETS = ("page", "pixels", "a0", "a1", "a2", "a3", "a4", "a5", "letter")
 ENGINES = ("cycles", "eevee", "workbench")  # of Blender, over whose renders lines can be drawn
 TILE = (480, 360)  # pixels of a tile of a sheet
@@ -44,6 +46,11 @@ def pictures(options, camera=None):
     return _numbered(_seen_from(options.output, camera), options.frames)
 
 
+def kind(options, path):
+    """The kind of file, as vectors.drawing names it, that is written at a path; None: Blender writes a picture."""
+    return path.suffix[1:] if options.one_bit or path.suffix in VECTORS + LAYERS else None
+
+
 def dumps(options, camera=None):
     """Paths of the dumps that a run writes, one per frame; [] without --dump."""
     return _numbered(_seen_from(options.dump, camera), options.frames) if options.dump else []
@@ -54,16 +61,19 @@ def _seen_from(path, camera):
 
 
 def _numbered(path, frames):
+    """The frame's number stands for the last row of # in the name, with as many digits; else it follows the name."""
     if not frames:
         return [path]
-    return [path.with_stem(f"{path.stem}_{frame:04d}") for frame in range(frames[0], frames[1] + 1)]
+    name = path.stem if "#" in path.stem else f"{path.stem}_####"
+    before, row, after = re.fullmatch(r"(.*?)(#+)([^#]*)", name).groups()
+    return [path.with_stem(f"{before}{frame:0{len(row)}d}{after}") for frame in range(frames[0], frames[1] + 1)]
 
 
 def _parser():
     parser = argparse.ArgumentParser("fovea draw", usage=argparse.SUPPRESS)
     add = parser.add_argument
     add("scene", nargs="?", help="MODEL.obj (or .glb, .fbx, ...), SCENE.blend or a scene's NAME[:N]")
-    add("-o", "--output", type=lambda text: Path(text).absolute(), help="OUT.png, .exr, .svg, .pdf or .dxf")
+    add("-o", "--output", type=lambda text: Path(text).absolute(), help="OUT.png, .exr, .svg, .pdf, .dxf or .ora")
     add(
         "--size",
         type=quantities.frame_size,
@@ -82,7 +92,12 @@ def _parser():
     add("--probes", choices=("1", "4", "9", "16"), help="looks into the depth buffer per sample (9)")
     add("--depth-scale", type=int, choices=(1, 2, 3), help="texels of the depth buffer per pixel (2)")
     add("--layers", type=int, choices=(1, 2, 3), help="lines to a texel of the item buffer (3)")
-    add("--frames", type=quantities.frames, metavar="A-B", help="an animation: OUT_0001.png ...")
+    add(
+        "--frames",
+        type=quantities.frames,
+        metavar="A-B",
+        help="an animation: OUT_0001.png ..., or what # are in OUT_####.png",
+    )
     add("--style", metavar="NAME|FILE.json")
     add("--lines", type=lambda text: text.split(","), metavar="A,B", help="line definitions, or all: only these")
     add("--param", type=quantities.assignment, action="append", default=[], metavar="DEFINITION.NAME=VALUE")
@@ -139,6 +154,11 @@ def _add_vectors(add):
     add("--center-lines", action="store_true", default=None, help="lines of one width where strokes change theirs")
     add("--lines-alone", action="store_true", default=None, help="neither paper nor colors")
     add("--plotter", action="store_true", default=None, help="lines of one width in an order of short ways")
+    add("--one-bit", action="store_true", help="a PNG of black and white: lines by a threshold, tones as dots")
+    number = quantities.within
+    add("--dpi", type=number(50, 2400, "pixels per inch"), metavar="N", help="of the page, with --one-bit (600)")
+    add("--screen", type=number(5, 200, "rows per inch"), metavar="N", help="rows of dots per inch (60)")
+    add("--screen-angle", type=number(0, 90, "degrees"), metavar="DEG", help="of the rows of dots (45)")
     add("--json", action="store_true", default=None, help="print figures about the file")
 
 
@@ -154,6 +174,20 @@ def vector_options(options):
         "plotter": options.plotter,
     }
     return {name: value for name, value in given.items() if value is not None}
+
+
+def screen_options(options):
+    """The members of the Screen that are given, by their names."""
+    given = {"dpi": options.dpi, "lines_per_inch": options.screen, "angle": options.screen_angle}
+    return {name: value for name, value in given.items() if value is not None}
+
+
+def _check_one_bit(options):
+    if options.one_bit and (options.output.suffix != ".png" or options.sheet or options.size):
+        raise ValueError("--one-bit is a .png, as large as the page: name such an output, without --sheet and --size")
+    if not options.one_bit and (given := screen_options(options)):
+        name = {"lines_per_inch": "screen", "angle": "screen-angle"}.get(first := next(iter(given)), first)
+        raise ValueError(f"--{name} is for pictures in black and white: add --one-bit")
 
 
 def _check_vectors(options):
@@ -176,10 +210,11 @@ def _check(options):
     if options.scene == "demo" and not (options.style or options.lines or options.focus or options.focus_painted):
         vars(options).update(DEMO)
     options.output = options.output or default_output(options.scene, "sheet" if options.sheet else "fovea")
-    if options.output.suffix not in PICTURES + VECTORS:
-        kinds = f"a picture is {' or '.join(PICTURES)}, vectors are {' or '.join(VECTORS)}"
+    if options.output.suffix not in PICTURES + VECTORS + LAYERS:
+        kinds = f"a picture is {' or '.join(PICTURES)}, vectors are {' or '.join(VECTORS)}, layers are {LAYERS[0]}"
         raise ValueError(f"{kinds}, not {options.output.name}")
     _check_vectors(options)
+    _check_one_bit(options)
     _check_over(options)
     if options.scale and options.paper == "pixels":
         raise ValueError("--scale is of paper, and --paper pixels has no size: leave out one of them")

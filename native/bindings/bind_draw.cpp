@@ -176,6 +176,7 @@ stage.)")
         .def("see", &Frame::see, NoGil())
         .def("filter", &Frame::filter, NoGil())
         .def("thin", &Frame::thin, NoGil())
+        .def("shape", &Frame::shape, NoGil())
         .def("ink", &Frame::ink, NoGil())
         .def("picture", &Frame::picture, NoGil())
         .def("passes", &passes,

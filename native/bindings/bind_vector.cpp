@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Frames as vectors.
+// Frames as files of other programs: vectors, layers, and pictures of black and white alone.
+#include <fovea/color/screentone.h>
+#include <fovea/draw/layered.h>
 #include <fovea/vector/center_lines.h>
 #include <fovea/vector/compose.h>
 #include <fovea/vector/file.h>
@@ -33,6 +35,23 @@ py::bytes bytes_of(const KindOfDrawing& drawing) {
     return without_gil([&] { return vector::bytes_of(drawing.document, drawing.kind); });
 }
 
+py::tuple layered_picture(Frame& frame) {
+    const LayeredPicture made = without_gil([&] { return layered(frame); });
+    py::list layers;
+    for (const PictureLayer& layer : made.layers)
+        layers.append(py::make_tuple(layer.group, layer.name, py::bytes(layer.png)));
+    return py::make_tuple(layers, py::bytes(made.merged), py::bytes(made.thumbnail));
+}
+
+Numpy<std::uint8_t> one_bit(Frame& frame, const Screen& screen) {
+    const View& view = frame.job.view;
+    const Array<std::uint8_t> bits = without_gil([&] {
+        frame.picture();
+        return screentone(frame.passes.lines, frame.ground(), frame.job.style.paper.color, view.width, screen);
+    });
+    return Numpy<std::uint8_t>({view.height, view.width}, bits.data());
+}
+
 }  // namespace
 
 void bind_center_lines(py::module_& m) {
@@ -50,8 +69,8 @@ void bind_center_lines(py::module_& m) {
 
 void bind_vector(py::module_& m) {
     bind_center_lines(m);
-    bind_record<vector::Options>(m, "VectorOptions",
-                                 "What a drawing is like as vectors; see native/fovea/vector/options.h.");
+    bind_part<vector::Options>(m, "VectorOptions",
+                               "What a drawing is like as vectors; see native/fovea/vector/options.h.");
     m.attr("SHEETS") = choices<vector::Sheet>();
     m.attr("WIDTHS") = choices<vector::Widths>();
     m.attr("VECTORS") = choices<vector::Kind>();
@@ -64,9 +83,16 @@ void bind_vector(py::module_& m) {
         py::arg("sheet"), "Width and height of an upright sheet of paper in millimeters.");
     py::class_<KindOfDrawing, std::shared_ptr<KindOfDrawing>>(m, "Drawing", "A frame's strokes as layers of curves.")
         .def(py::init(&compose), py::arg("frame"), py::arg("options"), py::arg("kind") = "svg",
-             "Takes the frame's steps up to `ink`; kind: of files, svg, pdf or dxf.")
+             "Takes the frame's steps up to `shape`; kind: of files, svg, pdf or dxf.")
         .def_property_readonly("figures", &figures_of, "{what there is: how much}")
         .def("file", &bytes_of, "The bytes of a file.");
+    m.def("layered_picture", &layered_picture, py::arg("frame"),
+          "([(line set or '', name, PNG of a layer) from below], PNG of the picture, PNG of its thumbnail); takes all "
+          "steps of the frame.");
+    bind_part<Screen>(m, "Screen", "How a picture becomes black and white; see native/fovea/color/screentone.h.")
+        .def("page_height", &page_height, py::arg("height_mm"), "Height in pixels of a page.");
+    m.def("one_bit", &one_bit, py::arg("frame"), py::arg("screen"),
+          "(H, W) uint8, bottom row first: 1 is white, 0 black; takes all steps of the frame.");
 }
 
 }  // namespace fovea::bindings

@@ -6,6 +6,7 @@
 #include <pybind11/typing.h>
 
 #include <fovea/style/field.h>
+#include <fovea/style/transfer.h>
 
 #include "bindings/arrays.h"
 
@@ -153,6 +154,55 @@ py::class_<S> bind_record(py::module_& m, const char* name, const char* doc) {
         bound.def_property_readonly(field.name,
                                     [member = field.member](const S& record) { return value_to(record.*member); });
     });
+    return bound;
+}
+
+/// Name of a member's type; records use their own names.
+template <typename T>
+const char* type_name(const T&) {
+    if constexpr (std::is_same_v<T, bool>)
+        return "switch";
+    else if constexpr (std::is_same_v<T, double>)
+        return "number";
+    else if constexpr (std::is_same_v<T, int>)
+        return "whole number";
+    else if constexpr (std::is_enum_v<T>)
+        return "choice";
+    else if constexpr (std::is_same_v<T, std::string>)
+        return "text";
+    else if constexpr (std::is_same_v<T, dvec3>)
+        return "color";
+    else if constexpr (std::is_same_v<T, style::Transfer>)
+        return "transfer";
+    else
+        return "";
+}
+template <typename T>
+const char* type_name(const std::optional<T>&) {
+    return type_name(T());
+}
+
+template <typename S, typename V>
+py::dict told(const style::Field<S, V>& field) {
+    const style::Domain& domain = field.domain;
+    const V value = S().*field.member;
+    py::dict found(py::arg("name") = field.name, py::arg("key") = field.key(), py::arg("label") = field.label,
+                   py::arg("description") = field.description, py::arg("type") = type_name(value),
+                   py::arg("group") = field.group, py::arg("default") = value_to(value), py::arg("min") = domain.least,
+                   py::arg("max") = domain.most, py::arg("soft_max") = domain.soft_most,
+                   py::arg("unit") = value_to(domain.unit), py::arg("names") = value_to(domain.names),
+                   py::arg("most_letters") = style::most_letters(domain.names));
+    if constexpr (std::is_enum_v<V>) found["choices"] = choices<V>();
+    return found;
+}
+
+/// Binds a record, with the declarations of its members as the class attribute `fields`.
+template <style::Record S>
+py::class_<S> bind_part(py::module_& m, const char* name, const char* doc) {
+    auto bound = bind_record<S>(m, name, doc);
+    py::list fields;
+    style::for_each_field<S>([&](const auto& field) { fields.append(told(field)); });
+    bound.attr("fields") = py::tuple(fields);
     return bound;
 }
 

@@ -39,7 +39,10 @@ def points(path):
     """Ends of the segments of an SVG path's data, which is of relative lines and cubics."""
     at, start, found = np.zeros(2), np.zeros(2), []
     for letter, numbers in re.findall(r"([a-zA-Z])([^a-zA-Z]*)", path.get("d")):
-        values = np.array([float(n) for n in re.findall(r"-?(?:\d+\.?\d*|\.\d+)", numbers)]).reshape(-1, 2)
+        values = np.array([float(n) for n in re.findall(r"-?(?:\d+\.?\d*|\.\d+)", numbers)])
+        if letter in "hv":
+            values = np.insert(values.reshape(-1, 1), 1 if letter == "h" else 0, 0.0, axis=1)
+        values = values.reshape(-1, 2)
         if letter == "z":
             at = start
         for value in values[2::3] if letter == "c" else values:
@@ -116,12 +119,11 @@ def test_a_drawing_that_is_stopped_is_told_in_a_sentence(scene, tmp_path, monkey
 
 
 def test_kinds_are_there_as_soon_as_the_native_module_is(monkeypatch):
-    operators = part("render.vector_operators")
-    monkeypatch.setattr(operators, "_kept", {})
+    monkeypatch.setattr(vectors, "_kept", {})
     with monkeypatch.context() as without:
-        without.setattr(operators.vectors, "choices", lambda _of: [])
-        assert operators._items("VECTORS") == []
-    assert [name for name, *_ in operators._items("VECTORS")] == ["svg", "pdf", "dxf"]
+        without.setattr(vectors, "choices", lambda _of: [])
+        assert vectors.kept_items("KINDS") == []
+    assert [name for name, *_ in vectors.kept_items("KINDS")] == ["svg", "pdf", "dxf", "ora", "png"]
 
 
 def test_nothing_is_left_where_a_file_cannot_be_written(scene, tmp_path):

@@ -71,6 +71,13 @@ def test_frames_are_recorded_under_their_own_names_and_nothing_else_is_left(tmp_
     assert check.check([out], FRAMES)["equal"]
 
 
+def test_vectors_with_every_render_are_beside_the_frames_that_are_moved_into_place(tmp_path, atomic):
+    scene, out = moving(tmp_path), tmp_path / "out"
+    scene.fovea.vectors.kind = "SVG"
+    assert rendered() == [*FRAMES] and not whole.failures
+    assert [name for name in names(out) if name.endswith(".svg")] == [f"box_{frame:04}.svg" for frame in FRAMES]
+
+
 def test_only_what_is_not_as_it_was_recorded_is_rendered_again(tmp_path, atomic):
     moving(tmp_path)
     out = tmp_path / "out"

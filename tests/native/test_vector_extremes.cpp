@@ -4,20 +4,18 @@
 #include <gtest/gtest.h>
 #include <locale>
 #include <set>
-#include <tool/drawing.h>
-#include <tool/read_obj.h>
 
 #include <fovea/stroke/strip.h>
 #include <fovea/vector/dxf.h>
 #include <fovea/vector/file.h>
 #include <fovea/vector/text.h>
 
-#include "model_files.h"
 #include "refused.h"
+#include "vector_drawings.h"
 
 using namespace fovea;
 using namespace fovea::draw;
-using namespace fovea::model_files;
+using namespace fovea::vector_drawings;
 
 namespace {
 
@@ -26,21 +24,6 @@ style::Style dashed(double width = 2.0) {
     style.line_sets[0].pen.texture = "dashes";
     style.line_sets[0].pen.width = width;
     return style;
-}
-
-Frame cube(const style::Style& style) {
-    return tool::frame_of(tool::read_obj("cube.obj", cube_obj()), {.width = 540, .height = 540}, style, FOVEA_ADDON);
-}
-
-vector::Drawing drawn(const style::Style& style, const vector::Options& options = {}) {
-    Frame frame = cube(style);
-    return vector::compose(frame, options);
-}
-
-std::vector<vector::Path> paths_of(const vector::Drawing& drawing) {
-    std::vector<vector::Path> paths;
-    vector::for_each_path(drawing.document.layers, [&](const vector::Path& path) { paths.push_back(path); });
-    return paths;
 }
 
 vector::Drawing colored(bool transparent) {
@@ -177,15 +160,36 @@ TEST(VectorExtremes, TheMitreLimitIsTheSameBendForStrokesAndFiles) {
 }
 
 TEST(VectorExtremes, ComposingAPlotHearsACancel) {
-    struct Late : Cancel {  // asks once lines are inked
-        bool asked() const override { return inked; }
-        bool inked = false;
+    struct Late : Cancel {  // asks once strokes are made
+        bool asked() const override { return shaped; }
+        bool shaped = false;
     };
     const auto cancel = std::make_shared<Late>();
     Job job = cube(dashed()).job;
     job.cancel = cancel;
     Frame frame(std::move(job));
-    frame.ink();
-    cancel->inked = true;
+    frame.shape();
+    cancel->shaped = true;
     EXPECT_THROW(vector::compose(frame, {.plotter = true}), Cancelled);
+}
+
+TEST(VectorExtremes, APenOutOfItsRangeIsRefusedWithItsLineSet) {
+    style::Style style = tool::style_of({"contour", "crease"});
+    style.line_sets[0].name = "edges";
+    style.line_sets[0].pen.width = 0.0;
+    EXPECT_EQ(refused([&] { drawn(style); }), "line set 'edges': pen.width is 0, outside 0.01 to 1000");
+    style.line_sets[0].pen.width = 1.0;
+    style.line_sets[0].hidden.push_back({});
+    style.line_sets[0].hidden[0].pen.opacity = 2.0;
+    EXPECT_EQ(refused([&] { drawn(style); }), "line set 'edges': hidden pen.opacity is 2, outside 0 to 1");
+}
+
+TEST(VectorExtremes, AreComposedWithoutDrawingPixels) {
+    struct Refusing : CpuBackend {
+        Array<vec4> draw(const Frame&) override { throw std::logic_error("pixels"); }
+    };
+    Job job = cube(dashed()).job;
+    job.backend = std::make_shared<Refusing>();
+    Frame frame(std::move(job));
+    EXPECT_GT(vector::compose(frame, {}).figures.paths, 0u);
 }

@@ -3,23 +3,19 @@
 #include <gtest/gtest.h>
 #include <regex>
 #include <set>
-#include <tool/drawing.h>
-#include <tool/read_obj.h>
 
 #include <fovea/vector/file.h>
 #include <fovea/vector/svg.h>
 #include <fovea/vector/text.h>
 
-#include "model_files.h"
 #include "refused.h"
+#include "vector_drawings.h"
 
 using namespace fovea;
 using namespace fovea::draw;
-using namespace fovea::model_files;
+using namespace fovea::vector_drawings;
 
 namespace {
-
-constexpr int side = 540;  // half of the pixels that a page of 210 mm has in reference pixels
 
 style::Style with_hidden() {
     style::Style style = tool::style_of({"contour", "crease"});
@@ -27,22 +23,6 @@ style::Style with_hidden() {
     style.line_sets[0].hidden.push_back({});
     style.line_sets[0].hidden[0].pen.texture = "dashes";
     return style;
-}
-
-Frame cube(const style::Style& style, int width = side, int height = side) {
-    return tool::frame_of(tool::read_obj("cube.obj", cube_obj()), {.width = width, .height = height}, style,
-                          FOVEA_ADDON);
-}
-
-vector::Drawing drawn(const style::Style& style, const vector::Options& options = {}) {
-    Frame frame = cube(style);
-    return vector::compose(frame, options);
-}
-
-std::vector<vector::Path> paths_of(const vector::Drawing& drawing) {
-    std::vector<vector::Path> paths;
-    vector::for_each_path(drawing.document.layers, [&](const vector::Path& path) { paths.push_back(path); });
-    return paths;
 }
 
 }  // namespace

@@ -61,6 +61,26 @@ def test_frames_are_numbered_files(tmp_path):
     assert [path.name for path in draw_options.pictures(options)] == ["out_0009.exr", "out_0010.exr"]
 
 
+def test_frames_are_numbered_where_the_last_row_of_hashes_is(tmp_path):
+    def files(name):
+        options = draw_options.parse(["boxes:2", "--frames", "9-10", "-o", str(tmp_path / name)])
+        return [path.name for path in draw_options.pictures(options)]
+
+    assert files("x_####.svg") == ["x_0009.svg", "x_0010.svg"]
+    assert files("#a_##b.ora") == ["#a_09b.ora", "#a_10b.ora"]
+
+
+def test_black_and_white_is_a_png_as_large_as_its_page(tmp_path, capsys):
+    out = ["boxes:2", "-o", str(tmp_path / "x.png")]
+    options = draw_options.parse([*out, "--one-bit", "--dpi", "300", "--screen-angle", "30"])
+    assert draw_options.screen_options(options) == {"dpi": 300, "angle": 30}
+    assert draw_options.kind(options, options.output) == "png"
+    assert draw_options.kind(draw_options.parse(out), options.output) is None
+    assert "add --one-bit" in refused(capsys, *out, "--screen-angle", "30")
+    assert "--one-bit is a .png" in refused(capsys, *out, "--one-bit", "--size", "64x36")
+    assert "--one-bit is a .png" in refused(capsys, "boxes:2", "-o", str(tmp_path / "x.svg"), "--one-bit")
+
+
 def test_a_dump_is_a_file_for_each_frame(tmp_path):
     words = ["boxes:2", "--dump", str(tmp_path / "frame.npz"), "-o", str(tmp_path / "out.png")]
     assert draw_options.dumps(draw_options.parse(words)) == [tmp_path / "frame.npz"]

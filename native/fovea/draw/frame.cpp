@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <sstream>
 
 #include <fovea/base/check.h>
 #include <fovea/color/map.h>
@@ -22,6 +21,7 @@
 #include <fovea/runs/outer_parts.h>
 #include <fovea/runs/own_roughness.h>
 #include <fovea/stroke/tessellate.h>
+#include <fovea/style/ranges.h>
 
 namespace fovea::draw {
 namespace {
@@ -30,23 +30,25 @@ constexpr double stub = 12.0;         // reference pixels; remainders of elided 
 constexpr double outline_step = 2.0;  // reference pixels between rays behind contours of groups
 constexpr double hands_over = 12.0;   // reference pixels before its end at which a line begins to hand over to another
 
-}  // namespace
-
-void check_options(const Options& options) {
-    style::for_each_field<Options>([&]<typename V>(const style::Field<Options, V>& field) {
-        if constexpr (std::is_same_v<V, double> || std::is_same_v<V, int>) {
-            const double value = options.*field.member, least = field.domain.least, most = field.domain.most;
-            if (value >= least && value <= most) return;
-            std::ostringstream sentence;
-            sentence << "options." << field.name << " is " << value << ", outside " << least << " to " << most;
-            throw std::invalid_argument(sentence.str());
+/// Files and Python cannot make pens with numbers out of their ranges, C++ can.
+void check_pens(const style::Style& style) {
+    for (const style::LineSet& set : style.line_sets) {
+        const std::string where = "line set '" + set.name + "': ";
+        style::check_ranges(set.pen, where + "pen.");
+        if (set.pen_away) style::check_ranges(*set.pen_away, where + "pen_away.");
+        for (const style::Hidden& hidden : set.hidden) {
+            style::check_ranges(hidden.pen, where + "hidden pen.");
+            if (hidden.pen_away) style::check_ranges(*hidden.pen_away, where + "hidden pen_away.");
         }
-    });
+    }
 }
+
+}  // namespace
 
 Frame::Frame(Job given) : job(std::move(given)) {
     check_view(job.view);
-    check_options(job.options);
+    style::check_ranges(job.options, "options.");
+    check_pens(job.style);
 }
 
 void Frame::stage(const char* name, double share, const std::function<void()>& body) {
@@ -146,9 +148,9 @@ void Frame::thin() {
     done_ = Step::thin;
 }
 
-void Frame::ink() {
+void Frame::shape() {
     thin();
-    if (has(Step::ink)) return;
+    if (has(Step::shape)) return;
     check(job.assets != nullptr, "frame: there are no assets");
     stage("shape", 0.05, [&] {
         Runs found = with_ends();
@@ -160,6 +162,12 @@ void Frame::ink() {
         drawn = std::make_shared<Runs>(std::move(found));
         strokes = std::make_shared<Strokes>(strokes_with(shown));
     });
+    done_ = Step::shape;
+}
+
+void Frame::ink() {
+    shape();
+    if (has(Step::ink)) return;
     stage("strokes", 0.1, [&] {
         passes.lines = job.backend->draw(*this);
         const style::Section& section = job.style.section;

@@ -70,7 +70,8 @@ class Frame {
     void see();      ///< visibility
     void filter();   ///< closes gaps, takes out folds, removes spurs; adds the hidden parts that pens draw
     void thin();     ///< elision: fades lines that crowd
-    void ink();      ///< applies haloes and overshoot, chooses pens, makes strokes
+    void shape();    ///< applies haloes and overshoot, chooses pens, makes strokes
+    void ink();      ///< draws strokes
     void picture();  ///< composites over colors and paper; makes the passes
 
     // Filled by find():
@@ -85,11 +86,11 @@ class Frame {
     Array<float> focus, distance;  ///< per atlas sample, in [0, 1]; empty: no effect uses it
     // By thin():
     Array<float> shown;  ///< elision opacity per atlas sample, in [0, 1]; empty: 1
-    // By ink():
+    // By shape():
     std::shared_ptr<const Runs> drawn;  ///< with haloes and overshoot
     std::shared_ptr<const Strokes> strokes;
     Pens pens;
-    // By picture():
+    // By picture(); its lines by ink():
     Picture passes;
 
     const Job job;
@@ -107,12 +108,17 @@ class Frame {
 
     /// Effects of focus and distance on lines, with this elision opacity at each sample. Requires filter().
     stroke::Emphasis emphasis(In<float> opacity) const;
-    /// What strokes of the drawn runs are made of, with this elision opacity at each sample. Borrows. Requires ink().
+    /// What strokes of the drawn runs are made of, with this elision opacity at each sample. Borrows. Requires shape().
     Inking inking(In<float> opacity) const;
-    /// Strokes of the drawn runs, with this elision opacity at each sample. Requires ink().
+    /// Strokes of the drawn runs, with this elision opacity at each sample. Requires shape().
     Strokes strokes_with(In<float> opacity) const;
     /// What lies under the lines: colors on paper, bottom row first, scene-linear. Requires picture().
     Array<vec4> ground() const;
+    /// The same without colors.
+    Array<vec4> bare_paper() const;
+    /// The lines that these pens (a flag for each of `pens`) draw in focus and out of it, as in the passes. Requires
+    /// shape().
+    Array<vec4> lines_of(In<std::uint8_t> pens);
     /// The focus field in the coordinates of this view.
     const Focus& focus_function();
 
@@ -124,7 +130,7 @@ class Frame {
     const Cancel& cancel() const { return *job.cancel; }
 
    private:
-    enum class Step { none, find, see, filter, thin, ink, picture };
+    enum class Step { none, find, see, filter, thin, shape, ink, picture };
     bool has(Step step) const { return done_ >= step; }
     void stage(const char* name, double share, const std::function<void()>& body);
     void unfold();
@@ -139,7 +145,7 @@ class Frame {
     Array<float> focus_of_fewer_pixels();
     bool colors_answer() const;
     void focus_colors();
-    void put_on_paper(In<vec4> lines, Array<vec4>& out) const;
+    void put_on_paper(In<vec4> lines, In<vec4> colors, Array<vec4>& out) const;
 
     Array<Index> pen_of_run_;
     Step done_ = Step::none;

@@ -81,9 +81,6 @@ struct Options {
         style::Field{"matte_ranks", &Options::matte_ranks, "", "", style::number(0, 16, 16)}};
 };
 
-/// Throws std::invalid_argument, naming the option, for a number out of its range.
-void check_options(const Options& options);
-
 }  // namespace fovea::draw
 
 namespace fovea::style {

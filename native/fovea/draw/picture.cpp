@@ -64,7 +64,7 @@ void Frame::picture() {
         if (job.options.with_focus || colors_answer()) passes.focus = focus_of_pixels();
         if (!passes.color.empty()) focus_colors();
     });
-    stage("paper", 0.05, [&] { put_on_paper(passes.lines, passes.combined); });
+    stage("paper", 0.05, [&] { put_on_paper(passes.lines, passes.color, passes.combined); });
     if (job.options.with_depth)
         stage("depth", 0.05, [&] {
             depth();
@@ -96,18 +96,34 @@ void Frame::focus_colors() {
 
 Array<vec4> Frame::ground() const {
     Array<vec4> pixels;
-    put_on_paper(Array<vec4>(std::size_t(job.view.width) * job.view.height, vec4(0.0f)), pixels);
+    put_on_paper(Array<vec4>(std::size_t(job.view.width) * job.view.height, vec4(0.0f)), passes.color, pixels);
     return pixels;
 }
 
-void Frame::put_on_paper(In<vec4> lines, Array<vec4>& out) const {
+Array<vec4> Frame::bare_paper() const {
+    Array<vec4> pixels;
+    put_on_paper(Array<vec4>(std::size_t(job.view.width) * job.view.height, vec4(0.0f)), {}, pixels);
+    return pixels;
+}
+
+Array<vec4> Frame::lines_of(In<std::uint8_t> pens) {
+    check(strokes != nullptr, "frame: its strokes are not made yet");
+    const std::shared_ptr<const Strokes> all = strokes;
+    auto some = std::make_shared<Strokes>(*all);
+    std::erase_if(some->triangles, [&](const glm::uvec3& t) { return !pens[all->pen[t.x]]; });
+    strokes = some;
+    const std::unique_ptr<void, std::function<void(void*)>> put_back(this, [&](void*) { strokes = all; });
+    return job.backend->draw(*this);
+}
+
+void Frame::put_on_paper(In<vec4> lines, In<vec4> colors, Array<vec4>& out) const {
     const style::Paper& paper = job.style.paper;
     const Array<float> holdout = holdout_image(*tracer, cancel());
     const auto texture = job.assets->paper(paper.texture);
     const auto water = job.style.color.backruns > 0.0 ? job.assets->wash("water") : nullptr;
     const Array<float> density =
-        paper.transparent ? Array<float>() : wash_density(passes.color, job.view, water.get(), paper, job.style.color);
-    on_paper(lines, passes.color, density, holdout, job.view, texture.get(), paper, job.style.color, out);
+        paper.transparent ? Array<float>() : wash_density(colors, job.view, water.get(), paper, job.style.color);
+    on_paper(lines, colors, density, holdout, job.view, texture.get(), paper, job.style.color, out);
 }
 
 Array<float> Frame::focus_of_pixels() {

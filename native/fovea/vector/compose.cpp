@@ -7,8 +7,9 @@
 #include <set>
 
 #include <fovea/base/cancel.h>
-#include <fovea/base/check.h>
+#include <fovea/color/displayed.h>
 #include <fovea/color/srgb.h>
+#include <fovea/style/ranges.h>
 #include <fovea/vector/fit.h>
 #include <fovea/vector/plot.h>
 #include <fovea/vector/section.h>
@@ -34,23 +35,6 @@ void take_out_empty(std::vector<Layer>& layers) {
     std::erase_if(layers, [](const Layer& layer) { return layer.paths.empty() && layer.layers.empty(); });
 }
 
-/// Pixels, premultiplied, as a picture; with alpha unless there is paper everywhere.
-Image image_from(In<vec4> pixels, const View& view, bool transparent) {
-    Image image{{}, view.width, view.height, transparent ? 4 : 3};
-    const auto channels = std::size_t(image.channels);
-    image.values.resize(channels * pixels.size());
-    parallel_for(pixels.size(), [&](std::size_t i) {
-        const vec4& pixel = pixels[i];
-        const float alpha = std::clamp(pixel.a, 0.0f, 1.0f);
-        const vec3 color = !transparent   ? vec3(pixel) + 1.0f - pixel.a
-                           : alpha > 0.0f ? vec3(pixel) / alpha
-                                          : vec3(0.0f);
-        for (int c = 0; c < 3; ++c) image.values[channels * i + c] = color::srgb_byte(color[c]);
-        if (transparent) image.values[channels * i + 3] = static_cast<std::uint8_t>(std::lround(255.0f * alpha));
-    });
-    return image;
-}
-
 /// The colors and the paper below the lines, if they are more than one color.
 std::optional<Image> image_of(Frame& frame, const Page& page) {
     const style::Style& style = frame.job.style;
@@ -58,21 +42,9 @@ std::optional<Image> image_of(Frame& frame, const Page& page) {
     if (!colored && (style.paper.transparent || style.paper.texture == "none" || style.paper.tint == 0.0)) return {};
     frame.picture();
     const View& view = frame.job.view;
-    Image image = image_from(frame.ground(), view, style.paper.transparent);
-    image.lower = page.lower;
-    image.size = page.scale * dvec2(view.width, view.height);
-    return image;
-}
-
-void check_options(const Options& options) {
-    style::for_each_field<Options>([&]<typename V>(const style::Field<Options, V>& field) {
-        if constexpr (std::is_same_v<V, double>) {
-            const double value = options.*field.member;
-            check(value >= field.domain.least && value <= field.domain.most,
-                  std::string("vectors: ") + field.name + " is " + number(value) + ", outside " +
-                      number(field.domain.least) + " to " + number(field.domain.most) + " mm");
-        }
-    });
+    const bool with_alpha = style.paper.transparent;
+    return Image{color::displayed_bytes(frame.ground(), with_alpha), view.width, view.height, with_alpha ? 4 : 3,
+                 page.lower, page.scale * dvec2(view.width, view.height)};
 }
 
 /// Names of paths: the id of the line, and the number of the part of it.
@@ -157,11 +129,11 @@ std::vector<Layer> plotted_layers(const Frame& frame, const std::vector<Mark>& m
 }  // namespace
 
 Drawing compose(Frame& frame, const Options& asked) {
-    check_options(asked);
+    style::check_ranges(asked, "vectors: ");
     const Cancelling scope(frame.job.cancel.get());
     Options options = asked;
     if (options.tolerance < Options::least_tolerance) options.tolerance = 0.0;
-    frame.ink();
+    frame.shape();
     const Page page = page_of(frame.job.view, frame.job.style.paper, options);
     Drawing made;
     Document& document = made.document;

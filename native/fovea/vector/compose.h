@@ -51,7 +51,7 @@ struct Drawing {
     }
 };
 
-/// The strokes of a frame as it draws them, after haloes, overshoot and elision. Takes the frame's steps up to ink(),
+/// The strokes of a frame as it draws them, after haloes, overshoot and elision. Takes the frame's steps up to shape(),
 /// and with a ground that is more than a color all of them. Throws std::invalid_argument for options out of their
 /// range.
 Drawing compose(Frame& frame, const Options& asked);

@@ -14,7 +14,7 @@ namespace fovea::vector {
 namespace {
 
 constexpr double parallel = 0.9986;  // cosine of 3 degrees
-constexpr double side_length = 0.5;  // in cells of the grid: sides of kept lines are cut into such parts
+constexpr double side_length = 1.0;  // in cells of the grid: sides of kept lines are cut into such parts
 constexpr double most_steps = 1e6;   // of a side
 constexpr std::size_t most_partners = 8;
 
@@ -24,7 +24,7 @@ int parts_of(double length, double step) { return int(std::clamp(std::ceil(lengt
 /// Sides of lines that are kept, by place.
 class Kept {
    public:
-    explicit Kept(double near) : near_(near), grid_(std::max(10.0 * near, 1e-6)) {}
+    explicit Kept(double near) : near_(near), grid_(std::max(5.0 * near, 1e-6)) {}
 
     void add(const Points& points) {
         for (std::size_t i = 1; i < points.size(); ++i) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include <fovea/base/check.h>
+#include <fovea/color/displayed.h>
 #include <fovea/color/srgb.h>
 
 namespace fovea::vector {
@@ -25,26 +26,13 @@ Inked between(const Inked& a, const Inked& b, double t) {
             glm::mix(a.ink, b.ink, t)};
 }
 
-/// Opacity with which a color over paper looks the same where displayed values are mixed, as by programs that show
-/// vectors, as where light is, as in pictures. Both scene-linear; by their means.
-double as_displayed(double opacity, const dvec3& color, const dvec3& paper) {
-    const auto mean = [](const dvec3& c) { return std::clamp(float(c.x + c.y + c.z) / 3.0f, 0.0f, 1.0f); };
-    const float ink = mean(color), below = mean(paper);
-    const float whole = color::to_srgb(below) - color::to_srgb(ink);
-    if (std::abs(whole) < 0.01f) return opacity;
-    const float mixed = glm::mix(below, ink, float(std::clamp(opacity, 0.0, 1.0)));
-    return (color::to_srgb(below) - color::to_srgb(mixed)) / whole;
-}
-
 dvec4 ink_of(const CenterPoint& p, const Pen& pen, const Pen& away, double density, const dvec3& paper) {
     const style::Pen &near = pen.look, &far = away.look;
     const double mix = p.mix.x;
     const dvec3 second = glm::mix(near.second_color, far.second_color, mix);
     const dvec3 color = glm::mix(glm::mix(near.color, far.color, mix), second, double(p.tint));
-    dvec4 ink(0.0);
-    for (int c = 0; c < 3; ++c) ink[c] = color::to_srgb(std::clamp(float(color[c]), 0.0f, 1.0f));
-    ink.w = as_displayed(density * p.opacity / std::max(p.thinness, 1e-6f), color, paper);
-    return ink;
+    const double opacity = density * p.opacity / std::max(p.thinness, 1e-6f);
+    return {color::displayed(color), color::displayed_opacity(opacity, color, paper)};
 }
 
 double range(const dvec4& low, const dvec4& high) {

@@ -32,8 +32,12 @@ class Data {
         for_each_segment(curve, [&](const dvec2* p, bool cubic) {
             // The last line of a closed curve is drawn by closing it.
             if (--left == 0 && curve.closed && !cubic) return;
-            command(cubic ? 'c' : 'l');
-            for (int k = 1; k <= (cubic ? 3 : 1); ++k) place(p[k]);
+            if (cubic) {
+                command('c');
+                for (int k = 1; k <= 3; ++k) place(p[k]);
+            } else {
+                line_to(p[1]);
+            }
             x_ = next_x_;
             y_ = next_y_;
         });
@@ -44,6 +48,15 @@ class Data {
     }
 
    private:
+    /// Across and upright lines are one number.
+    void line_to(const dvec2& p) {
+        move_next(p);
+        const std::int64_t dx = next_x_ - x_, dy = next_y_ - y_;
+        command(dy == 0 ? 'h' : dx == 0 ? 'v' : 'l');
+        if (dx != 0 || dy == 0) coordinate(dx);
+        if (dy != 0) coordinate(dy);
+    }
+
     void command(char letter) {
         if (letter != last_ || letter == 'm' || letter == 'M') out_ += letter;
         fresh_ = letter != last_ || letter == 'm' || letter == 'M';
@@ -52,10 +65,14 @@ class Data {
 
     /// Adds a point, relative to where the segment begins.
     void place(const dvec2& p) {
-        next_x_ = thousandths(p.x);
-        next_y_ = thousandths(height_ - p.y);
+        move_next(p);
         coordinate(next_x_ - x_);
         coordinate(next_y_ - y_);
+    }
+
+    void move_next(const dvec2& p) {
+        next_x_ = thousandths(p.x);
+        next_y_ = thousandths(height_ - p.y);
     }
 
     void coordinate(std::int64_t value) {
