@@ -48,7 +48,7 @@ def style_of_lines(kinds, corner_angle=60.0, with_hidden=False):
 
 
 def draw(scene, view, chosen, backend, asked, also=None, **beside):
-    """Renders a scene to an Image; arguments as for `frame`. `also(frame)` is called when all of its steps are taken."""
+    """Renders a scene to an Image; arguments as for `frame`. `also(frame)` is called after all of its steps."""
     made = frame(scene, view, chosen, backend, asked, **beside)
     with native.refusals():
         made.picture()

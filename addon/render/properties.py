@@ -35,8 +35,8 @@ def _own_style(scene):
 
 
 def style_drawn(depsgraph, given=None):
-    """The Style that renders of a depsgraph's scene draw; without paper if they are lines over another scene's. `given`:
-    as for `style_of`."""
+    """The Style that renders of a depsgraph's scene draw; without paper if they are lines over another scene's.
+    `given`: as for `style_of`."""
     chosen = style_of(followed.evaluated(depsgraph), _styled(depsgraph), given)
     lies_over = followed.follows(depsgraph.scene)
     return chosen.replace(paper=chosen.paper.replace(transparent=True)) if lies_over else chosen

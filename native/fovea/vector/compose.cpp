@@ -43,8 +43,9 @@ std::optional<Image> image_of(Frame& frame, const Page& page) {
     frame.picture();
     const View& view = frame.job.view;
     const bool with_alpha = style.paper.transparent;
-    return Image{color::displayed_bytes(frame.ground(), with_alpha), view.width, view.height, with_alpha ? 4 : 3,
-                 page.lower, page.scale * dvec2(view.width, view.height)};
+    return Image{
+        color::displayed_bytes(frame.ground(), with_alpha), view.width, view.height, with_alpha ? 4 : 3, page.lower,
+        page.scale * dvec2(view.width, view.height)};
 }
 
 /// Names of paths: the id of the line, and the number of the part of it.

@@ -35,8 +35,8 @@ enum class Cutting : std::uint8_t {
     elision,  ///< where elision leaves less than half: what is left is fully drawn
 };
 
-/// Requires shape(). Where nothing is drawn, as elision or a transparent pen has it, there are no marks. `tolerance`: of
-/// curves that are made of them.
+/// Requires shape(). Where nothing is drawn, as elision or a transparent pen has it, there are no marks. `tolerance`:
+/// of curves that are made of them.
 Marks marks_of(const Frame& frame, const Page& page, double tolerance, Cutting cutting);
 
 /// Mean of the widths of a mark, by length.
