@@ -120,7 +120,7 @@ OVER_SIZE = "560x315"
 _RENDERED = ("--over", "cycles", "--samples", "32", "--style", "pen_and_ink", "--no-elision")
 OVER = {  # how lines lie over a render of the demo scene -> its picture
     "cycles": Stage(_RENDERED, {"pen.width": 3.2}),
-    "multiply": Stage(("--over", "workbench", "--style", "pencil", "--blend", "multiply"), {"pen.width": 3.0}),
+    "multiply": Stage(("--over", "workbench", "--style", "pencil", "--blend", "multiply"), {"pen.width": 5.0}),
 }
 SECTIONS_SIZE = "960x540"
 SECTIONS = {  # picture -> its scene or model, and how that is drawn
