@@ -38,7 +38,10 @@ Layer section_layer(const Frame& frame, const Page& page) {
     const style::Section& section = frame.job.style.section;
     Layer layer{"section", "section", {}, {}, {}};
     if (!section.filled) return layer;
-    Path path{.id = "section-fill", .kind = "section", .look = {.color = color::displayed(section.color)}};
+    Path path;
+    path.id = "section-fill";
+    path.kind = "section";
+    path.look.color = color::displayed(section.color);
     path.curves = loops_of(section_sides(*frame.job.scene, frame.job.view), page);
     if (!path.curves.empty()) layer.paths.push_back(std::move(path));
     return layer;
