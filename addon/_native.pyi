@@ -233,6 +233,19 @@ class style:
         def background(self) -> tuple[float, ...] | None: ...
         fields: ClassVar[tuple]
 
+    class Section:
+        """The inside of what the scene's section plane cuts."""
+        def __init__(self, **kwargs) -> None: ...
+        def replace(self, **kwargs) -> style.Section:
+            """The same with other values."""
+        def __eq__(self, other: style.Section) -> bool: ...
+        def __hash__(self) -> int: ...
+        @property
+        def filled(self) -> bool: ...
+        @property
+        def color(self) -> tuple[float, ...]: ...
+        fields: ClassVar[tuple]
+
     class Elision:
         """Which of the lines that crowd each other stay."""
         def __init__(self, **kwargs) -> None: ...
@@ -378,6 +391,8 @@ class style:
         def color(self) -> style.Color: ...
         @property
         def elision(self) -> style.Elision: ...
+        @property
+        def section(self) -> style.Section: ...
         @property
         def kept(self) -> tuple[tuple, ...]: ...
         fields: ClassVar[tuple]
@@ -943,10 +958,12 @@ class Scene:
         ids: Annotated[ArrayLike, numpy.uint64],
         usage: Annotated[ArrayLike, numpy.uint8],
         groups: Annotated[ArrayLike, numpy.uint64] | None=None,
+        section: Annotated[Sequence[float], 'FixedSize(4)'] | None=None,
     ) -> None:
         """surface_of_placement (n,) int32 into surfaces; object_to_world (n, 4, 4) float64; ids (n,) uint64 persistent
         ids; usage (n,) uint8, bits of Usage; groups (n,) uint64: placements of the same one have one outline together,
-        0: of none."""
+        0: of none. section: a plane (x, y, z, w) in the world; where x, y and z times a point, plus w, is positive, all
+        is cut away."""
     def __len__(self) -> int: ...
     def surface(self, placement: int) -> Surface: ...
 
@@ -999,6 +1016,9 @@ class DepthDraw:
     def culled(self) -> str:
         """side that is not drawn: NONE, FRONT or BACK"""
     @property
+    def cut(self) -> Annotated[list[float], 'FixedSize(4)']:
+        """plane in object space: what is before it is cut away"""
+    @property
     def first(self) -> int:
         """the first of the corners to draw"""
     @property
@@ -1040,6 +1060,9 @@ class DepthLayout:
     @property
     def core(self) -> Annotated[list[float], 'FixedSize(4)']:
         """left, lower, right and upper edge of what it decides, in pixels"""
+
+def has_section(scene: Scene) -> bool:
+    """Whether a section plane cuts the scene open."""
 
 def depth_reach(scene: Scene, view: View) -> float:
     """How far away along the view anything that hides lines reaches."""
@@ -1485,6 +1508,8 @@ class VectorOptions:
     @property
     def margin(self) -> float: ...
     @property
+    def to_scale(self) -> bool: ...
+    @property
     def tolerance(self) -> float: ...
     @property
     def widths(self) -> str: ...
@@ -1500,6 +1525,9 @@ SHEETS: list
 WIDTHS: list
 
 VECTORS: list
+
+def sheet_size(sheet: str) -> tuple[float, float]:
+    """Width and height of an upright sheet of paper in millimeters."""
 
 class Drawing:
     """A frame's strokes as layers of curves."""

@@ -36,7 +36,7 @@ BUNNY = "organic/stanford-bunny.obj", _seen(-55, 12)
 SPOT = "organic/spot.obj", _seen(-135, 12)
 VASE = LESSON + "vase", _seen(30, 18)
 DRAPERY = LESSON + "drapery", _seen(25, 12)
-CUT_PART = "cad/crank-arm.obj", (*_seen(35, 25), "--section", "0,0,0,0,0,1")
+CUT_PART = "cad/pump-cover.obj", (*_seen(25, 25), "--section", "0,0,0,0,-1,0")
 EVERY_EDGE = MESH, _params("crease.angle=0")
 
 _CHOSEN = {  # definition -> its picture; the others are drawn on the monkey

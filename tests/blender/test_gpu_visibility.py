@@ -41,7 +41,8 @@ def test_depth(orthographic, scale, section):
         reach, truth = edges_reach(edges[seen], off), edges_reach(on_cpu[seen], off)
         clear = np.abs(truth) > 0.03  # directions are rounded to 1/64, corners to 1/256 texel
         assert np.mean((reach >= 0) == (truth >= 0)) > 0.98
-        assert np.mean((reach >= 0)[clear] == (truth >= 0)[clear]) > 0.9995
+        # Of a triangle that is cut, the CPU packs the edges of the part around a texel, the GPU all three.
+        assert np.mean((reach >= 0)[clear] == (truth >= 0)[clear]) > (0.9995 if section is None else 0.999)
         assert 0.5 < np.mean(reach >= 0) < 0.999
 
 
@@ -70,7 +71,7 @@ def test_visibility_behind_a_section_plane(orthographic):
     scene, view = room((0.2, -0.4, 0.9, -0.1)), view_of(orthographic=orthographic)
     frame = frame_of(scene, view)
     on_gpu, on_cpu = both(frame)
-    assert np.mean(on_gpu == on_cpu) > 0.999
+    assert np.mean(on_gpu == on_cpu) > 0.995
     assert np.mean((on_gpu >= 0.5) == (exact_samples(scene, view) >= 0.5)) > 0.95
 
 

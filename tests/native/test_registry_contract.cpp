@@ -49,7 +49,7 @@ std::vector<Placement> small_scene() {
             place(cube, moved({-1, 1, 0.2}), 3), place(grid(4, 4.0f), moved({0, 0, -1}), 4)};
 }
 
-/// Paths of one definition, and the camera they were found for.
+/// Paths of one definition in a scene that is cut open, and the camera they were found for.
 struct Found {
     Scene scene;
     View view;
@@ -57,7 +57,7 @@ struct Found {
     Paths paths;
 
     Found(std::vector<Placement> placements, const View& seen, const LineSet& set)
-        : scene(std::move(placements)),
+        : scene(cut_open(std::move(placements), dvec4(0.0, 0.0, 1.0, -0.9))),
           view(seen),
           tracer(scene, view),
           paths(extract_paths(scene, view, {set}, tracer, Cancel())) {}

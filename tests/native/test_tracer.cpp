@@ -127,7 +127,7 @@ TEST(Tracer, CornersAreWhereThePlacementPutsThem) {
     EXPECT_NEAR(hit->t, 4.0f, 1e-5f);
     const Outline outline = tracer.outline(*hit);
     EXPECT_EQ(outline.count, 4) << "both triangles of the flat quad";
-    for (const dvec3& corner : outline.corners) {
+    for (const dvec3& corner : In<dvec3>(outline.corners).first(outline.count)) {
         EXPECT_NEAR(std::abs(corner.x), 0.5, 1e-12);
         EXPECT_NEAR(std::abs(corner.y), 0.5, 1e-12);
         EXPECT_NEAR(corner.z, -4.0, 1e-12);

@@ -94,6 +94,16 @@ void Appender::append(Index placement, const EdgeChains& found, bool of_view, Pa
         paths);
 }
 
+namespace {
+
+/// Whether lines of a definition end at other lines wherever they end: hatching ends at outlines.
+bool ends_at_lines(Index definition) {
+    static const Index hatch = definition_index("section_hatch");
+    return definition == hatch;
+}
+
+}  // namespace
+
 void Appender::append(Index placement, const FoundCurves& found, bool of_view, Paths& paths) {
     const Placement* placed = placement == none ? nullptr : &scene_.placements[placement];
     const CurveChains& chains = *found.chains;
@@ -103,7 +113,8 @@ void Appender::append(Index placement, const FoundCurves& found, bool of_view, P
     const auto point = [&](Index i) { return chains.point[i]; };
     const Slot slot = add_rows(placement, chains.rows, of_view, point, paths);
     write(
-        chains, slot, [&](Index) { return found.line_set; }, [&](Index c) { return chains.free[c]; },
+        chains, slot, [&](Index) { return found.line_set; },
+        [&](Index c) { return ends_at_lines(found.definition) ? 0 : chains.free[c]; },
         [&](Index c) { return hash_numbers(object, found.definition + 1, chains.anchor[c]); }, point,
         [&](std::size_t to, Index i) {
             paths.place[to] = placed ? placed->surface->place_of_triangle(chains.triangle[i]) : none;

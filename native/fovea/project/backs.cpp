@@ -5,22 +5,48 @@
 
 #include <fovea/base/check.h>
 #include <fovea/line/registry.h>
+#include <fovea/scene/section.h>
 
 namespace fovea::project {
+namespace {
 
-Backs::Backs(const Scene& scene, const View& view) : scene_(scene), contours_(contours()) {
+/// Per placement: its bodies if the viewer sees it cut by the section plane, else null. Empty: none is.
+SceneBodies seen_cut(const Scene& scene, const View& view) {
+    const auto plane = section_in_view(scene, view);
+    if (!plane || !faces_section(*plane, view)) return {};
+    SceneBodies cut(scene.placements.size());
+    parallel_for(cut.size(), 64, [&](std::size_t i) {
+        const Placement& placement = scene.placements[i];
+        if (cut_of(scene, placement).kept == Cut::part) cut[i] = bodies_of(*placement.surface);
+    });
+    return cut;
+}
+
+}  // namespace
+
+Backs::Backs(const Scene& scene, const View& view)
+    : scene_(scene),
+      cut_(seen_cut(scene, view)),
+      on_fronts_(contours() | kind_of(definition_called("section"))) {
     const auto& placements = scene.placements;
-    if (std::ranges::all_of(placements, [](const Placement& p) { return p.surface->polygon_one_sided.empty(); }))
+    if (cut_.empty() &&
+        std::ranges::all_of(placements, [](const Placement& p) { return p.surface->polygon_one_sided.empty(); }))
         return;
     const dvec4 eye = view.orthographic ? dvec4(0, 0, 1, 0) : dvec4(0, 0, 0, 1);
     eyes_ = parallel_map<dvec4>(placements.size(), [&](std::size_t i) {
-        const bool two_sided = placements[i].surface->polygon_one_sided.empty();
-        return two_sided ? dvec4(0.0) : glm::inverse(view.world_to_view * placements[i].object_to_world) * eye;
+        const bool has_none = placements[i].surface->polygon_one_sided.empty() && (cut_.empty() || !cut_[i]);
+        return has_none ? dvec4(0.0) : glm::inverse(view.world_to_view * placements[i].object_to_world) * eye;
     });
 }
 
 bool Backs::culled(Index placement, Index facet) const {
-    return scene_.placements[placement].surface->culled(facet, eyes_[placement]);
+    const Surface& surface = *scene_.placements[placement].surface;
+    if (surface.culled(facet, eyes_[placement])) return true;
+    if (cut_.empty() || !cut_[placement]) return false;
+    const Index body = cut_[placement]->of_facet[facet];
+    if (body == none || !cut_[placement]->outward[body]) return false;
+    const vec4& p = surface.facet_plane[facet];
+    return glm::dot(dvec4(p.x, p.y, p.z, -p.w), eyes_[placement]) < 0.0;
 }
 
 bool Backs::hold(const Paths& paths, Index path, Index point) const {
@@ -33,7 +59,7 @@ bool Backs::hold(const Paths& paths, Index path, Index point) const {
         return !sides.empty() &&
                std::ranges::all_of(sides, [&](EdgeSide side) { return culled(placement, side.facet()); });
     }
-    if (paths.kinds[point] & contours_) return false;
+    if (paths.kinds[point] & on_fronts_) return false;
     if (culled(placement, surface.triangle_facet[surface.triangle_at(place)])) return true;
     const Index facet = paths.other_facet_at(point);
     if (facet == none) return false;

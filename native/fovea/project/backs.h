@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Lines on backs that are not seen, because their polygons are one-sided.
+// Lines on backs that are not seen, because their polygons are one-sided, or the backs are the inside of a solid that the
+// section plane cuts: what is cut through hides it.
 #pragma once
 
 #include <fovea/path/paths.h>
-#include <fovea/scene/scene.h>
+#include <fovea/scene/bodies.h>
 
 namespace fovea::project {
 
-/// The one-sided surfaces of a scene in a view. Borrows the scene.
+/// The one-sided surfaces and the cut solids of a scene in a view. Borrows the scene.
 class Backs {
    public:
     Backs(const Scene& scene, const View& view);
@@ -22,8 +23,9 @@ class Backs {
     bool culled(Index placement, Index facet) const;
 
     const Scene& scene_;
-    Array<dvec4> eyes_;  // per placement, in its object space: see Surface::culled; empty: no surface is one-sided
-    Kinds contours_;
+    Array<dvec4> eyes_;  // per placement, in its object space: see Surface::culled; empty: there are no such backs
+    SceneBodies cut_;    // of placements that the viewer sees cut; null: of others; empty: there are none
+    Kinds on_fronts_;    // lines that bound what faces the viewer, or lie on what is cut
 };
 
 }  // namespace fovea::project
