@@ -8,8 +8,20 @@ import bpy
 import numpy as np
 
 from .. import native
-from . import bare_shapes, cut_outs, detail, followed, instances, kept, materials, own_lines, repair, section, shapes
-from . import subdivision
+from . import (
+    bare_shapes,
+    cut_outs,
+    detail,
+    followed,
+    instances,
+    kept,
+    materials,
+    own_lines,
+    repair,
+    section,
+    shapes,
+    subdivision,
+)
 from .mesh_arrays import is_edited
 from .snapshot import Origin, Snapshot
 

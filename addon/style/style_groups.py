@@ -133,7 +133,9 @@ def _hidden():
 
 def _line_set(kinds):
     return {
-        "name": text("Name", "Of the line set and, as letters of files allow, of its pass"),  # redraws, Blender's does not
+        "name": text(
+            "Name", "Of the line set and, as letters of files allow, of its pass"
+        ),  # redraws, Blender's does not
         **_pens(),
         "kinds": part_of(kinds),
         "overshoot_away": _optional(style.LineSet, "overshoot_away", 0.0),

@@ -199,7 +199,9 @@ def _check_over(options):
         if getattr(options, name) is not None and not options.over:
             raise ValueError(f"--{name} is for lines over renders: name the engine, as --over cycles")
     if options.over and (options.sheet or options.output.suffix in VECTORS):
-        raise ValueError(f"--over {options.over} draws a picture: leave out --sheet, and name a {' or '.join(PICTURES)}")
+        raise ValueError(
+            f"--over {options.over} draws a picture: leave out --sheet, and name a {' or '.join(PICTURES)}"
+        )
 
 
 def _check_sheet(options):

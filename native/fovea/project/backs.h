@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Lines on backs that are not seen, because their polygons are one-sided, or the backs are the inside of a solid that the
-// section plane cuts: what is cut through hides it.
+// Lines on backs that are not seen, because their polygons are one-sided, or the backs are the inside of a solid that
+// the section plane cuts: what is cut through hides it.
 #pragma once
 
 #include <fovea/path/paths.h>
