@@ -46,7 +46,7 @@ FIGURES = {  # name -> options of `fovea draw`
 }  # fmt: skip
 
 
-VECTORS = {"plan-office": ["office", *PLAN]}  # name -> options of `fovea draw` for an SVG
+VECTORS = {"plan-office": ["office", *PLAN, "--tolerance", "0.05"]}  # name -> options of `fovea draw` for an SVG
 
 
 def figures(target, words):
