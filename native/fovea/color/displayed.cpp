@@ -42,9 +42,7 @@ Array<std::uint8_t> displayed_bytes(In<vec4> pixels, bool with_alpha) {
     parallel_for(pixels.size(), [&](std::size_t i) {
         const vec4& pixel = pixels[i];
         const float alpha = std::clamp(pixel.a, 0.0f, 1.0f);
-        const vec3 color = !with_alpha    ? vec3(pixel) + 1.0f - pixel.a
-                           : alpha > 0.0f ? vec3(pixel) / alpha
-                                          : vec3(0.0f);
+        const vec3 color = !with_alpha ? vec3(pixel) + 1.0f - pixel.a : alpha > 0.0f ? vec3(pixel) / alpha : vec3(0.0f);
         for (int c = 0; c < 3; ++c) bytes[channels * i + c] = srgb_byte(color[c]);
         if (with_alpha) bytes[channels * i + 3] = byte_of(alpha);
     });
@@ -55,8 +53,7 @@ Array<std::uint8_t> bytes_over(In<vec4> pixels, const dvec3& paper) {
     Array<std::uint8_t> bytes = displayed_bytes(pixels, true);
     parallel_for(pixels.size(), [&](std::size_t i) {
         const vec4& pixel = pixels[i];
-        if (pixel.a > 0.0f)
-            bytes[4 * i + 3] = byte_of(displayed_opacity(pixel.a, dvec3(vec3(pixel) / pixel.a), paper));
+        if (pixel.a > 0.0f) bytes[4 * i + 3] = byte_of(displayed_opacity(pixel.a, dvec3(vec3(pixel) / pixel.a), paper));
     });
     return bytes;
 }

@@ -31,8 +31,8 @@ int page_height(const Screen& screen, double height_mm);
 
 /// Whether each pixel is white: width pixels in a row, bottom row first. `lines`: premultiplied; `ground`: what lies
 /// below, opaque or over white; `paper`: its color, which is white; all scene-linear. Of a gray as displayed,
-/// dots of the screen cover the share that it lacks to the white of the paper. Throws std::invalid_argument for a screen out of its ranges, or with dots smaller than two
-/// pixels.
+/// dots of the screen cover the share that it lacks to the white of the paper. Throws std::invalid_argument for a
+/// screen out of its ranges, or with dots smaller than two pixels.
 Array<std::uint8_t> screentone(In<vec4> lines, In<vec4> ground, const dvec3& paper, int width, const Screen& screen);
 
 }  // namespace fovea::color
