@@ -22,8 +22,8 @@ def drawing(camera=None, style=None, **options):
 
     camera: an object that sees it, None: the scene's. style: a Style, the name of a shipped one or a .json file,
     or None: the scene's own. options: those of vectors, as sheet="a4", margin=10.0, tolerance=0.02, widths="center",
-    ground=False, plotter=True. The scene may use any render engine, and stays as it is. CannotDraw, or a ValueError, says in a
-    sentence what cannot be drawn."""
+    ground=False, plotter=True. The scene may use any render engine, and stays as it is. CannotDraw, or a ValueError,
+    says in a sentence what cannot be drawn."""
     chosen = styles.named(style) if isinstance(style, str) else style
     asked = vectors.options(**options)
     made = vectors.drawing(bpy.context, "svg", asked, camera=camera, chosen=chosen)
