@@ -10,7 +10,7 @@ MODULES = (  # those with something to register; panels stand in this order
     *("ui.preferences", "style.style_groups", "focus.focus_settings", "render.properties"),
     *("style.style_operators", "style.line_set_operators", "ui.thumbnails", "ui.gallery", "ui.panels", "ui.hints"),
     *("ui.style", "ui.lines", "ui.focus", "ui.effects", "ui.elision", "ui.paper", "ui.to_scale", "ui.method"),
-    *("ui.vectors", "ui.things", "ui.lines_over", "ui.sidebar", "ui.menu", "ui.viewport_settings", "ui.simplify"),
+    *("ui.vectors", "ui.things", "ui.sidebar", "ui.lines_over", "ui.menu", "ui.viewport_settings", "ui.simplify"),
     *("scene.overrides", "render.engine", "render.whole_frames", "render.frame_check", "render.sockets"),
 )
 TOOLS = (

@@ -58,6 +58,7 @@ def annotations():
             description=told,
             min=0.0,
             max=LARGEST,
+            soft_max=1000.0,
             precision=2,
             step=100,
             options={"SKIP_SAVE"},

@@ -33,8 +33,8 @@ def colored(monkeypatch, paper=None, **values):
     """Draws with a color layer, whatever the panel says."""
     original = part("render.properties").style_of
 
-    def style_of(scene):
-        found = original(scene)
+    def style_of(*given):
+        found = original(*given)
         return found.replace(color=style.Color(**values), paper=found.paper.replace(**(paper or {})))
 
     monkeypatch.setattr(session.properties, "style_of", style_of)

@@ -305,7 +305,7 @@ def colored(monkeypatch):
     camera.data.type, camera.data.ortho_scale = "ORTHO", 2 * SIZE[0] / SIZE[1]
     original = part("render.properties").style_of
     flat = style.Color(shading="flat")
-    monkeypatch.setattr(session.properties, "style_of", lambda scene: original(scene).replace(color=flat))
+    monkeypatch.setattr(session.properties, "style_of", lambda *given: original(*given).replace(color=flat))
     return made
 
 

@@ -218,7 +218,7 @@ def test_while_it_is_on_fovea_draw_notes_how_to_turn_it_off(scene, tmp_path, cap
 
 def test_while_it_is_on_renders_report_so_once(scene, monkeypatch):
     session, said = part("render.session"), []
-    monkeypatch.setattr(session, "final_image", lambda *_words: None)
+    monkeypatch.setattr(session, "final", lambda *_words, **_more: None)
     engine = SimpleNamespace(
         report=lambda kinds, sentence: said.append((kinds, sentence)), resolution_x=4, resolution_y=4
     )

@@ -49,7 +49,12 @@ def svg(scene, **asked):
 def corners_of(text):
     """(n, 2) corners of the filled section in an SVG, in millimeters."""
     (fill,) = (path for path in ElementTree.fromstring(text).iter() if path.get("id") == "section-fill")
-    return np.array(re.findall(r"-?(?:\d+\.?\d*|\.\d+)", fill.get("d")), float).reshape(-1, 2).cumsum(axis=0)
+    steps = []
+    for letter, numbers in re.findall(r"([Mlhv])([^A-Za-z]*)", fill.get("d")):
+        found = np.array(re.findall(r"-?(?:\d+\.?\d*|\.\d+)", numbers), float)
+        alone = {"h": np.multiply.outer(found, (1, 0)), "v": np.multiply.outer(found, (0, 1))}
+        steps.append(alone[letter] if letter in alone else found.reshape(-1, 2))
+    return np.concatenate(steps).cumsum(axis=0)
 
 
 def test_the_plane_is_the_local_xy_plane_of_an_object_and_cuts_its_plus_z_side(scene):
