@@ -1582,8 +1582,8 @@ WIDTHS: list
 
 VECTORS: list
 
-def sheet_size(sheet: str) -> tuple[float, float]:
-    """Width and height of an upright sheet of paper in millimeters."""
+def sheet_size(sheet: str) -> dict:
+    """{width, height} of an upright sheet of paper [mm]; 0: that of the picture."""
 
 class Drawing:
     """A frame's strokes as layers of curves."""
@@ -1595,9 +1595,9 @@ class Drawing:
     def file(self) -> bytes:
         """The bytes of a file."""
 
-def layered_picture(frame: Frame) -> tuple:
-    """([(line set or '', name, PNG of a layer) from below], PNG of the picture, PNG of its thumbnail); takes all steps
-    of the frame."""
+def layered_picture(frame: Frame) -> dict:
+    """{layers: [(line set or '', name, PNG of a layer) from below], merged: PNG of the picture, thumbnail: PNG}; takes
+    all steps of the frame."""
 
 class Screen:
     """How a picture becomes black and white; see native/fovea/color/screentone.h."""

@@ -58,7 +58,7 @@ def remove_tree(scene):
 
 
 def _scenes_with(tree):
-    return sum(scene.compositing_node_group == tree for scene in bpy.data.scenes)
+    return sum(GROUPS and scene.compositing_node_group == tree for scene in bpy.data.scenes)
 
 
 def output(tree):

@@ -36,7 +36,7 @@ def kept_items(of):
 
 def sheet_sizes():
     """{sheet of paper: (width, height) in millimeters, upright}."""
-    known = ((name, native.load().sheet_size(name)) for name, *_ in kept_items("SHEETS"))
+    known = ((name, tuple(native.load().sheet_size(name).values())) for name, *_ in kept_items("SHEETS"))
     return {name: size for name, size in known if any(size)}
 
 
@@ -79,10 +79,10 @@ class Layers:
     def __init__(self, frame):
         self._parts = native.load().layered_picture(frame)
         self._size = frame.view.width, frame.view.height
-        self.figures = {"layers": len(self._parts[0])}
+        self.figures = {"layers": len(self._parts["layers"])}
 
     def file(self):
-        return open_raster.file_of(*self._parts, self._size)
+        return open_raster.file_of(**self._parts, size=self._size)
 
 
 class Bits:

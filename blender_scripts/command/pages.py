@@ -56,8 +56,8 @@ _CHOSEN = {  # definition -> its picture; the others are drawn on the monkey
     "topographic": Picture(*SPOT),
     "intersection": Picture(LESSON + "crossings", _seen(5, 40)),
     "abstracted_shading": Picture(*BUNNY),
-    "section": Picture(*CUT_PART),
-    "section_hatch": Picture(*CUT_PART, ("contour", "crease", "section")),
+    "section_cut": Picture(*CUT_PART),
+    "section_hatch": Picture(*CUT_PART, ("contour", "crease", "section_cut")),
 }
 # Every definition that has a page.
 LINES = {

@@ -35,12 +35,13 @@ py::bytes bytes_of(const KindOfDrawing& drawing) {
     return without_gil([&] { return vector::bytes_of(drawing.document, drawing.kind); });
 }
 
-py::tuple layered_picture(Frame& frame) {
+py::dict layered_picture(Frame& frame) {
     const LayeredPicture made = without_gil([&] { return layered(frame); });
     py::list layers;
     for (const PictureLayer& layer : made.layers)
         layers.append(py::make_tuple(layer.group, layer.name, py::bytes(layer.png)));
-    return py::make_tuple(layers, py::bytes(made.merged), py::bytes(made.thumbnail));
+    return py::dict(py::arg("layers") = layers, py::arg("merged") = py::bytes(made.merged),
+                    py::arg("thumbnail") = py::bytes(made.thumbnail));
 }
 
 Numpy<std::uint8_t> one_bit(Frame& frame, const Screen& screen) {
@@ -78,17 +79,17 @@ void bind_vector(py::module_& m) {
         "sheet_size",
         [](const py::str& sheet) {
             const dvec2 size = vector::sheet_size(value_from<vector::Sheet>(sheet, "sheet"));
-            return py::make_tuple(size.x, size.y);
+            return py::dict(py::arg("width") = size.x, py::arg("height") = size.y);
         },
-        py::arg("sheet"), "Width and height of an upright sheet of paper in millimeters.");
+        py::arg("sheet"), "{width, height} of an upright sheet of paper [mm]; 0: that of the picture.");
     py::class_<KindOfDrawing, std::shared_ptr<KindOfDrawing>>(m, "Drawing", "A frame's strokes as layers of curves.")
         .def(py::init(&compose), py::arg("frame"), py::arg("options"), py::arg("kind") = "svg",
              "Takes the frame's steps up to `shape`; kind: of files, svg, pdf or dxf.")
         .def_property_readonly("figures", &figures_of, "{what there is: how much}")
         .def("file", &bytes_of, "The bytes of a file.");
     m.def("layered_picture", &layered_picture, py::arg("frame"),
-          "([(line set or '', name, PNG of a layer) from below], PNG of the picture, PNG of its thumbnail); takes all "
-          "steps of the frame.");
+          "{layers: [(line set or '', name, PNG of a layer) from below], merged: PNG of the picture, thumbnail: PNG}; "
+          "takes all steps of the frame.");
     bind_part<Screen>(m, "Screen", "How a picture becomes black and white; see native/fovea/color/screentone.h.")
         .def("page_height", &page_height, py::arg("height_mm"), "Height in pixels of a page.");
     m.def("one_bit", &one_bit, py::arg("frame"), py::arg("screen"),

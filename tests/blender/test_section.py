@@ -91,7 +91,7 @@ def test_a_mesh_that_stands_for_the_plane_is_not_drawn(scene):
     assert len(api.lines("border", depsgraph=depsgraph())["points"])
     scene.fovea.section = bpy.context.object
     assert not len(api.lines("border", depsgraph=depsgraph())["points"])
-    found = api.lines("section", depsgraph=depsgraph())["points"]
+    found = api.lines("section_cut", depsgraph=depsgraph())["points"]
     assert np.abs(found[:, 2]).max() < 1e-5 and np.ptp(found, axis=0)[:2] == pytest.approx((2, 2))
 
 

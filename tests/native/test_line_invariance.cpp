@@ -101,11 +101,19 @@ const std::vector<Placement>& changed(const LineDefinition& definition, const Ch
     return placements;
 }
 
+/// A plane after a motion, with a unit normal.
+dvec4 moved_plane(const dvec4& plane, const dmat4& motion) {
+    const dvec4 moved = glm::transpose(glm::inverse(motion)) * plane;
+    return moved / glm::length(dvec3(moved));
+}
+
 /// Segments of one definition, moved back.
 ExactCurves lines_after(Index definition, const Change& change) {
     View view = perspective({3, 2.2, 3}, {0, 0, 0});
     view.world_to_view = view.world_to_view * glm::inverse(change.motion);
-    const Scene scene(changed(*line_definitions()[definition], change));
+    const LineDefinition& made = *line_definitions()[definition];
+    Scene scene(changed(made, change));
+    if (made.in_section || made.ends_at_lines) scene.section = moved_plane({0.0, 0.0, 1.0, -0.05}, change.motion);
     const Tracer tracer(scene, view);
     LineSet set;
     set.kinds.push_back({definition, values_of(*line_definitions()[definition])});

@@ -26,7 +26,7 @@ struct Cuts {
     Index closed = 0;
 
     Cuts(std::vector<Placement> placements, const dvec4& plane, const View& view = somewhere) {
-        const Drawing drawing(std::move(placements), view, {line_set({"section"})}, {}, plane);
+        const Drawing drawing(std::move(placements), view, {line_set({"section_cut"})}, {}, plane);
         const Paths& paths = drawing.paths;
         for (Index p = 0; p < paths.count(); ++p) {
             const dmat4& to_world = drawing.scene.placements[paths.placement[p]].object_to_world;

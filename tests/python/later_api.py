@@ -48,7 +48,7 @@ LATER = (
     Later(r"'freestyle_edge'", (5, 0), '"use_freestyle_mark" (not )?in .*properties',
           "'use_freestyle_mark' not in properties('MeshEdge')"),
     Later(r"'BLENDER_EEVEE'", (5, 0), '"BLENDER_EEVEE_NEXT"', "'BLENDER_EEVEE_NEXT' not in engines()"),
-    Later(r".*\.compositing_node_group", (5, 0), "hasattr|version", "'compositing_node_group' in properties('Scene')"),
+    Later(r".*\.compositing_node_group", (5, 0), r"hasattr|version|\bGROUPS\b", "'compositing_node_group' in properties('Scene')"),
     Later(r"[gs]et_transform=", (5, 0), "version <", "'get_transform' in bpy.props.BoolProperty.__doc__"),
     Later(r".*texture\.(filter_mode|extend_mode)", (5, 0), "hasattr|version <",
           "hasattr(__import__('gpu').types.GPUTexture, 'filter_mode')"),

@@ -132,6 +132,9 @@ def draw(placed, seen, line_sets=((ALL_LINES, 60.0),)):
     arrays |= members("strokes", made.strokes, "px arc half_width opacity triangles")
     arrays["samples"] = made.visible.samples(made.clipped)
     passes = {name: pixels for name, pixels in made.passes().items() if pixels is not None}
+    several = {name: passes.pop(name) for name in ("line_sets", "mattes")}
+    arrays |= {f"passes.line_sets.{name}": pixels for name, pixels in several["line_sets"].items()}
+    arrays |= {f"passes.mattes.{i}": pixels for i, pixels in enumerate(several["mattes"])}
     return arrays | {f"passes.{name}": pixels for name, pixels in passes.items()}
 
 

@@ -9,7 +9,7 @@ from addon import catalogue, native, style
 
 DEFINITIONS = {definition["name"]: definition for definition in catalogue.definitions()}
 PARAMETERS = [(name, parameter) for name, d in DEFINITIONS.items() for parameter in d["parameters"]]
-ABSENT = {"edge_mark", "intersection", "section", "section_hatch"}  # what one model of an OBJ file cannot have
+ABSENT = {"edge_mark", "intersection", "section_cut", "section_hatch"}  # what one model of an OBJ file cannot have
 
 
 def of_parameter(value):

@@ -132,6 +132,10 @@ struct LineDefinition {
     /// Runs where a surface hides what is behind it: left out between placements of one outline group. Rules that ask
     /// SurfaceView::ends_at leave it out themselves.
     bool outlines = false;
+    /// Lies on what the section plane cuts: drawn where the viewer sees the cut, whatever faces away behind it.
+    bool in_section = false;
+    /// Ends at other lines wherever it ends, as hatching does at outlines.
+    bool ends_at_lines = false;
     bool usual = false;      ///< what artists draw with; panels fold the others
     bool of_smooth = false;  ///< lines of a smooth shape: line sets that suit lines to surfaces draw it on such alone
 };

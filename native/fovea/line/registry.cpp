@@ -32,7 +32,7 @@
     define(intersection)               \
     define(image_edge)                 \
     define(abstracted_shading)         \
-    define(section)                    \
+    define(section_cut)                \
     define(section_hatch)
 // clang-format on
 
@@ -79,6 +79,11 @@ Kinds contours() {
     static const Kinds bits = smooth_contours() | kinds_that([](const LineDefinition& definition) {
                                   return definition.smooth_twin && is_whole_contour(*definition.smooth_twin);
                               });
+    return bits;
+}
+
+Kinds kinds_in_section() {
+    static const Kinds bits = kinds_that([](const LineDefinition& definition) { return definition.in_section; });
     return bits;
 }
 

@@ -33,4 +33,7 @@ Kinds smooth_contours();
 /// Bits of those, and of the mesh-edge definition that finds all contours of the mesh.
 Kinds contours();
 
+/// Bits of definitions that lie on what the section plane cuts.
+Kinds kinds_in_section();
+
 }  // namespace fovea::line

@@ -92,12 +92,13 @@ Curves find(const FrameView& frame, const SectionHatch& values) {
 extern const LineDefinition section_hatch = {
     .name = "section_hatch",
     .label = "Section Hatch",
-    .source = "common knowledge",
+    .source = "Common knowledge",
     .description = "Parallel lines on the inside of what the section plane cuts",
     .scope = Scope::scene,
     .importance = 0.05,
     .parameters = parameters,
     .rule = ImageRule{parameters.of(find)},
+    .ends_at_lines = true,
     .usual = true,
 };
 

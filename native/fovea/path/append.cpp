@@ -94,16 +94,6 @@ void Appender::append(Index placement, const EdgeChains& found, bool of_view, Pa
         paths);
 }
 
-namespace {
-
-/// Whether lines of a definition end at other lines wherever they end: hatching ends at outlines.
-bool ends_at_lines(Index definition) {
-    static const Index hatch = definition_index("section_hatch");
-    return definition == hatch;
-}
-
-}  // namespace
-
 void Appender::append(Index placement, const FoundCurves& found, bool of_view, Paths& paths) {
     const Placement* placed = placement == none ? nullptr : &scene_.placements[placement];
     const CurveChains& chains = *found.chains;
@@ -114,7 +104,7 @@ void Appender::append(Index placement, const FoundCurves& found, bool of_view, P
     const Slot slot = add_rows(placement, chains.rows, of_view, point, paths);
     write(
         chains, slot, [&](Index) { return found.line_set; },
-        [&](Index c) { return ends_at_lines(found.definition) ? 0 : chains.free[c]; },
+        [&](Index c) { return line_definitions()[found.definition]->ends_at_lines ? 0 : chains.free[c]; },
         [&](Index c) { return hash_numbers(object, found.definition + 1, chains.anchor[c]); }, point,
         [&](std::size_t to, Index i) {
             paths.place[to] = placed ? placed->surface->place_of_triangle(chains.triangle[i]) : none;

@@ -25,7 +25,7 @@ SceneBodies seen_cut(const Scene& scene, const View& view) {
 }  // namespace
 
 Backs::Backs(const Scene& scene, const View& view)
-    : scene_(scene), cut_(seen_cut(scene, view)), on_fronts_(contours() | kind_of(definition_called("section"))) {
+    : scene_(scene), cut_(seen_cut(scene, view)), on_fronts_(contours() | kinds_in_section()) {
     const auto& placements = scene.placements;
     if (cut_.empty() &&
         std::ranges::all_of(placements, [](const Placement& p) { return p.surface->polygon_one_sided.empty(); }))

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Section: where the section plane cuts surfaces.
+// Section cut: where the section plane cuts surfaces.
 // In   triangles of all placements that are drawn, and the section plane (scene/section.h); independent of the view
 // Out  curves on the plane, closed where surfaces are, in the object space of each placement
 #include <fovea/scene/section.h>
@@ -29,14 +29,15 @@ std::vector<SceneCurves> find(const Scene& scene, In<Index> drawn, const Values&
 
 }  // namespace
 
-extern const LineDefinition section = {
-    .name = "section",
-    .label = "Section",
-    .source = "common knowledge",
+extern const LineDefinition section_cut = {
+    .name = "section_cut",
+    .label = "Section Cut",
+    .source = "Common knowledge",
     .description = "Where the section plane of the scene cuts surfaces",
     .scope = Scope::placements,
     .importance = 1.0,
     .rule = SceneRule{find, [](const Surface& surface, const Values&, const Cancel&) { triangle_sides(surface); }},
+    .in_section = true,
     .usual = true,
 };
 
