@@ -131,11 +131,15 @@ def draw(placed, seen, line_sets=((ALL_LINES, 60.0),)):
     arrays |= members("polylines", made.polylines(), names + " strength kinds")
     arrays |= members("strokes", made.strokes, "px arc half_width opacity triangles")
     arrays["samples"] = made.visible.samples(made.clipped)
-    passes = {name: pixels for name, pixels in made.passes().items() if pixels is not None}
-    several = {name: passes.pop(name) for name in ("line_sets", "mattes")}
-    arrays |= {f"passes.line_sets.{name}": pixels for name, pixels in several["line_sets"].items()}
-    arrays |= {f"passes.mattes.{i}": pixels for i, pixels in enumerate(several["mattes"])}
-    return arrays | {f"passes.{name}": pixels for name, pixels in passes.items()}
+    return arrays | {f"passes.{name}": pixels for name, pixels in images(made.passes()).items()}
+
+
+def images(passes):
+    """{name: pixels} of all passes that a frame has, those of several images one by one."""
+    several = {"line_sets": passes["line_sets"], "mattes": dict(enumerate(passes["mattes"]))}
+    found = {name: pixels for name, pixels in passes.items() if name not in several}
+    found |= {f"{name}.{each}": pixels for name, of in several.items() for each, pixels in of.items()}
+    return {name: pixels for name, pixels in found.items() if pixels is not None}
 
 
 def digest(arrays):

@@ -51,8 +51,7 @@ def tell(path):
                 options = pipeline.options(visibility=method)
                 frame = pipeline.frame(placed, seen, style.load(name), native_core.core.CpuBackend(), options)
                 frame.picture()
-                passes = {of: pixels for of, pixels in frame.passes().items() if pixels is not None}
-                yield f"{scene}, {name}, {method}", native_core.digest(passes)
+                yield f"{scene}, {name}, {method}", native_core.digest(native_core.images(frame.passes()))
 
 
 def _surfaces(native_core, stored, scene):

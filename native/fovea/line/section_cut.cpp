@@ -2,10 +2,9 @@
 // Section cut: where the section plane cuts surfaces.
 // In   triangles of all placements that are drawn, and the section plane (scene/section.h); independent of the view
 // Out  curves on the plane, closed where surfaces are, in the object space of each placement
-#include <fovea/scene/section.h>
-
 #include <fovea/line/definition.h>
 #include <fovea/line/zero_set.h>
+#include <fovea/scene/section.h>
 
 namespace fovea::line {
 namespace {
