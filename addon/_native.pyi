@@ -1511,7 +1511,7 @@ class Overrides:
 
 class CenterLines:
     """A frame's strokes as R polylines of M points in all, with what their pens make of them; takes the frame's steps
-    up to `ink`."""
+    up to `shape`."""
     def __init__(self, frame: Frame) -> None: ...
     def __len__(self) -> int: ...
     @property

@@ -59,7 +59,7 @@ void bind_center_lines(py::module_& m) {
     using vector::CenterLines;
     py::class_<CenterLines> lines(m, "CenterLines",
                                   "A frame's strokes as R polylines of M points in all, with what their pens make of "
-                                  "them; takes the frame's steps up to `ink`.");
+                                  "them; takes the frame's steps up to `shape`.");
     lines.def(py::init(&vector::center_lines_of), NoGil(), py::arg("frame"))
         .def("__len__", [](const CenterLines& lines) { return lines.pen.size(); })
         .def_property_readonly("offsets", viewing_rows<CenterLines>(&CenterLines::rows),

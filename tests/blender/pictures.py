@@ -31,6 +31,14 @@ def box_scene():
     return scene
 
 
+def box_scene_of_one_set():
+    """The same with one line set."""
+    scene = box_scene()
+    style = use_style(scene, "plain")
+    style.line_sets[-1].pen.width, style.elision.enabled = 30.0, False
+    return scene
+
+
 def drawn(scene, path):
     """(H, W, 4) of a PNG still, top row last."""
     scene.render.image_settings.file_format = "PNG"

@@ -5,18 +5,15 @@ look where Blender renders them."""
 import bpy
 import numpy as np
 import pytest
-from pictures import SIZE, box_scene, drawn, ink
-from the_addon import add_hidden, box_mesh, lines_of, new_object, part, use_style
+from pictures import SIZE, box_scene_of_one_set, drawn, ink
+from the_addon import add_hidden, box_mesh, lines_of, new_object, part
 
 pencil_bake = part("render.pencil_bake")
 
 
 @pytest.fixture
 def scene():
-    scene = box_scene()
-    style = use_style(scene, "plain")  # one line set
-    style.line_sets[-1].pen.width, style.elision.enabled = 30.0, False
-    return scene
+    return box_scene_of_one_set()
 
 
 @pytest.fixture

@@ -4,18 +4,15 @@
 import bpy
 import numpy as np
 import pytest
-from pictures import SIZE, box_scene, drawn, ink, layered
-from the_addon import box_mesh, empty_scene, lines_of, new_mesh, new_object, own_style, part, use_style
+from pictures import SIZE, box_scene, box_scene_of_one_set, drawn, ink, layered
+from the_addon import box_mesh, empty_scene, lines_of, new_mesh, new_object, own_style, part
 
 report, drawn_lines = part("render.report"), part("render.drawn_lines")
 
 
 @pytest.fixture
 def scene():
-    scene = box_scene()
-    style = use_style(scene, "plain")  # one line set
-    style.line_sets[-1].pen.width, style.elision.enabled = 30.0, False
-    return scene
+    return box_scene_of_one_set()
 
 
 def test_the_image_is_the_lines_pass(scene, tmp_path):

@@ -111,7 +111,7 @@ CenterLines joined(const std::vector<CenterLines>& parts) {
 }  // namespace
 
 CenterLines center_lines_of(Frame& frame) {
-    frame.ink();
+    frame.shape();
     const Inking inking = frame.inking(frame.shown);
     check_inking(inking);
     const LineShaper shaper(inking);

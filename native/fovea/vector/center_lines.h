@@ -34,7 +34,7 @@ struct CenterLines {
                "(M,) uint32 bits of the line definitions of the segment around the point; see line_definitions()"}};
 };
 
-/// Runs a frame's steps up to ink().
+/// Runs a frame's steps up to shape().
 CenterLines center_lines_of(Frame& frame);
 
 }  // namespace fovea::vector
