@@ -10,6 +10,8 @@ import json
 import os
 from pathlib import Path
 
+from .held_folder import lock
+
 FOLDER, NAME = ".fovea", "frames.jsonl"
 
 
@@ -19,6 +21,7 @@ def append(folder, record):
     path.parent.mkdir(exist_ok=True)
     line = json.dumps(record, ensure_ascii=False).encode() + b"\n"
     with path.open("ab+", buffering=0) as file:
+        lock(file)  # otherwise another process's line may be seen half written
         file.write(b"\n" + line if _is_torn(file) else line)
         os.fsync(file.fileno())
 

@@ -22,13 +22,13 @@ def held_folder(place, prefix="", remove=shutil.rmtree):
     the descriptor. Entries of `place` with the prefix that nobody holds go by remove(Path)."""
     place.mkdir(parents=True, exist_ok=True)
     with (place / LOCK).open("w") as all_folders:
-        _lock(all_folders)
+        lock(all_folders)
         for left in place.iterdir():
             if left.name != LOCK and left.name.startswith(prefix) and not _is_held(left):
                 remove(left)
         own = Path(tempfile.mkdtemp(dir=place, prefix=prefix))
         held = (own / LOCK).open("w")
-        _lock(held)
+        lock(held)
     os.set_inheritable(held.fileno(), True)  # of a program that takes the place of this process
     try:
         yield own, held.fileno()
@@ -37,8 +37,9 @@ def held_folder(place, prefix="", remove=shutil.rmtree):
         remove(own)
 
 
-def _lock(file):
-    """Waits for a lock. File systems without locks have none, and _is_held says of all folders that they are held."""
+def lock(file):
+    """Waits until no other process has a lock of this open file, which ends as the file is closed. Windows and file
+    systems without locks have none, and _is_held says of all folders there that they are held."""
     if fcntl:
         with contextlib.suppress(OSError):
             fcntl.flock(file, fcntl.LOCK_EX)

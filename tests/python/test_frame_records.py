@@ -41,15 +41,16 @@ def test_lines_that_are_no_records_are_passed_over(tmp_path):
 
 
 def write_many(folder, first):
-    for frame in range(first, first + 100):
+    for frame in range(first, first + 400):
         frame_records.append(folder, record(frame))
 
 
 def test_several_processes_append_at_once(tmp_path):
     context = multiprocessing.get_context("fork")
-    writers = [context.Process(target=write_many, args=(tmp_path, first)) for first in (1, 101, 201)]
+    writers = [context.Process(target=write_many, args=(tmp_path, first)) for first in (1, 401, 801)]
     for writer in writers:
         writer.start()
     for writer in writers:
         writer.join()
-    assert len(frame_records.read(tmp_path)) == len(lines(tmp_path)) == 300
+    assert [writer.exitcode for writer in writers] == [0, 0, 0]
+    assert len(frame_records.read(tmp_path)) == len(lines(tmp_path)) == 1200

@@ -56,7 +56,7 @@ MODULES = {
     "__init__": "",
     "stages": "",
     "files": "",
-    "frame_records": "",
+    "frame_records": "held_folder",
     "held_folder": "",
     "native": "_native",
     "style": "catalogue native",
