@@ -17,9 +17,11 @@ from bl_ext.user_default.fovea.style import style_data
 sys.path.insert(0, str(Path(__file__).parent))
 
 import draw
+import drawing_settings
 import ending
 import over
 import picture
+import scene_source
 import sheet
 from command import draw_options, pages, quantities
 from command.target import SHARED
@@ -155,7 +157,7 @@ def open_model(model):
         bpy.ops.wm.read_homefile(use_empty=True)
         lessons.build(model.removeprefix(pages.LESSON))
     else:
-        draw.open_scene(str(SHARED / "models" / model) if model.endswith(".obj") else model)
+        scene_source.open_scene(str(SHARED / "models" / model) if model.endswith(".obj") else model)
 
 
 def draw_lines(shown, lines, params, pen, path):
@@ -177,7 +179,7 @@ def set_drawing(scene, options, settings):
                 obj.data.shade_flat()
     draw.set_size(scene, options)
     draw.set_camera(scene, options)
-    draw.set_drawing(scene, options)
+    drawing_settings.set_drawing(scene, options)
     draw.set_output(scene, options)
     held = style_data.own(scene)
     for words, value in settings.items():

@@ -12,8 +12,10 @@ import numpy as np
 sys.path.insert(0, str(Path(__file__).parent))
 
 import draw
+import drawing_settings
 import ending
 import picture
+import scene_source
 import sheet
 from command import draw_options, variants
 
@@ -26,7 +28,7 @@ def main(words):
     scene_name, tiles = variants.SHEETS[options.sheet]
     size = {1: (1280, 720), 2: (960, 540)}.get(len(tiles), (480, 270))
     columns = min(sheet.columns_for(len(tiles), size), 3 if len(tiles) == 9 else 4)
-    draw.open_scene(scene_name)
+    scene_source.open_scene(scene_name)
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "tile.png"
         drawn = [draw_tile(scene_name, tile, size, path) for _, tile in tiles]
@@ -44,7 +46,7 @@ def draw_tile(scene_name, words, size, path):
     draw.set_size(scene, options)
     draw.set_camera(scene, options)
     scene.fovea.focus_model = "NONE"
-    draw.set_drawing(scene, options)
+    drawing_settings.set_drawing(scene, options)
     draw.set_output(scene, options)
     picture.render(scene, path)
     return picture.pixels(path)[..., :3].reshape(size[1], 2, size[0], 2, 3).mean(axis=(1, 3))

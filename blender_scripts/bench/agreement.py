@@ -12,7 +12,9 @@ sys.path.insert(0, str(Path(__file__).parents[1]))
 
 import bpy
 import draw
+import drawing_settings
 import ending
+import scene_source
 from bl_ext.user_default.fovea import native, pipeline
 from command import draw_options
 
@@ -37,10 +39,10 @@ def compared(scene, make, asked):
 
 def main(out, *words):
     options = draw_options.parse(words)
-    draw.open_scene(options.scene)
+    scene_source.open_scene(options.scene)
     draw.set_size(bpy.context.scene, options)
     draw.set_camera(bpy.context.scene, options)
-    draw.set_drawing(bpy.context.scene, options)
+    drawing_settings.set_drawing(bpy.context.scene, options)
     bpy.context.scene.fovea.visibility = "EXACT"
     rows, frame = [], pipeline.frame
 

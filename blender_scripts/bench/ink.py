@@ -15,8 +15,10 @@ sys.path.insert(0, str(Path(__file__).parents[1]))
 
 import bpy
 import draw
+import drawing_settings
 import ending
 import numpy as np
+import scene_source
 from bl_ext.user_default.fovea import catalogue, pipeline
 from bl_ext.user_default.fovea.render import session
 from command import draw_options
@@ -41,10 +43,10 @@ def measured(model, style):
     """The row of a model, or of a scene's file or name."""
     bpy.ops.wm.read_homefile()
     options = draw_options.parse([model, "--style", style, "--size", SIZE])
-    draw.open_scene(options.scene)
+    scene_source.open_scene(options.scene)
     draw.set_size(bpy.context.scene, options)
     draw.set_camera(bpy.context.scene, options)
-    draw.set_drawing(bpy.context.scene, options)
+    drawing_settings.set_drawing(bpy.context.scene, options)
     frames, make = [], pipeline.frame
 
     def kept(*args, **words):

@@ -13,6 +13,7 @@ from the_addon import new_object, part
 sys.path.insert(0, str(Path(__file__).parents[2] / "blender_scripts"))
 
 import draw
+import scene_source
 from command import draw_options, quantities
 
 properties, style = part("render.properties"), part("style")
@@ -99,7 +100,7 @@ def test_scripts_of_a_file_are_not_run(tmp_path):
     bpy.ops.wm.open_mainfile(filepath=blend, use_scripts=True)  # from now on scripts run unless it is said otherwise
     assert ran.exists()
     ran.unlink()
-    draw.open_scene(blend)
+    scene_source.open_scene(blend)
     assert not ran.exists()
 
 

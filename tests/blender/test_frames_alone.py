@@ -21,7 +21,7 @@ def deforming_scene(lines):
     """A sheet with a running wave, and a cage on its way to another shape that is drawn on the limit of its
     subdivision."""
     scene = empty_scene()
-    scene.render.engine, scene.render.resolution_x, scene.render.resolution_y = "FOVEA", 96, 54
+    scene.render.engine, scene.render.resolution_x, scene.render.resolution_y = "FOVEA", 64, 36
     scene.view_layers[0].use_pass_z = True
     scene.fovea.backend = "CPU"
     bpy.ops.mesh.primitive_grid_add(x_subdivisions=24, y_subdivisions=24, size=4)

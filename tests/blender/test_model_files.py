@@ -14,6 +14,7 @@ sys.path.insert(0, str(Path(__file__).parents[2] / "blender_scripts"))
 
 import draw
 import framing
+import scene_source
 from command import model_files
 
 EXPORTERS = {  # suffix -> the operators that write such files, and their options
@@ -41,7 +42,7 @@ def bounds():
 def exported(path):
     """Writes a brick that no axis is like another of, and returns its bounds; skips without an exporter."""
     names, options = EXPORTERS[path.suffix.lower()]
-    exporter = next(filter(None, map(draw.operator, names)), None)
+    exporter = next(filter(None, map(scene_source.operator, names)), None)
     if not exporter:
         pytest.skip(f"this Blender exports no {path.suffix} files")
     bpy.ops.wm.read_homefile(use_empty=True)
@@ -57,7 +58,7 @@ def exported(path):
 def test_a_model_stands_where_its_scene_had_it(tmp_path, suffix):
     path = tmp_path / f"brick{suffix}"
     made = exported(path)
-    draw.open_scene(str(path))
+    scene_source.open_scene(str(path))
     assert np.allclose(bounds(), made, atol=1e-4)
 
 
@@ -71,25 +72,25 @@ def test_a_model_is_drawn(tmp_path, name):
 
 
 def test_shapes_of_an_svg_are_surfaces_with_holes(tmp_path):
-    if not draw.operator("import_curve.svg"):
+    if not scene_source.operator("import_curve.svg"):
         pytest.skip("this Blender imports no .svg files")
     path = tmp_path / "frame.svg"
     path.write_text(SVG)
-    draw.open_scene(str(path))
+    scene_source.open_scene(str(path))
     low, high = bounds()
     assert np.allclose(high - low, (0.09, 0.06, 0), atol=1e-3)
 
 
 @pytest.mark.parametrize("suffix", model_files.IMPORTERS)
 def test_a_format_that_this_blender_lacks_is_one_sentence(tmp_path, suffix, monkeypatch):
-    monkeypatch.setattr(draw, "operator", lambda name: None)
+    monkeypatch.setattr(scene_source, "operator", lambda name: None)
     with pytest.raises(ValueError, match=f"model{suffix}: this Blender imports no {suffix} files"):
-        draw.open_scene(str(tmp_path / f"model{suffix}"))
+        scene_source.open_scene(str(tmp_path / f"model{suffix}"))
 
 
 @pytest.mark.parametrize("suffix", model_files.IMPORTERS)
 def test_a_broken_model_is_one_sentence_that_names_it(tmp_path, suffix):
-    if not any(map(draw.operator, model_files.IMPORTERS[suffix])):
+    if not any(map(scene_source.operator, model_files.IMPORTERS[suffix])):
         pytest.skip(f"this Blender imports no {suffix} files")
     path = tmp_path / f"broken{suffix}"
     path.write_bytes(b"\x00\xff no model \x00" * 20)
@@ -100,7 +101,7 @@ def test_a_broken_model_is_one_sentence_that_names_it(tmp_path, suffix):
 
 
 def test_an_svg_of_strokes_alone_is_drawn(tmp_path):
-    if not draw.operator("import_curve.svg"):
+    if not scene_source.operator("import_curve.svg"):
         pytest.skip("this Blender imports no .svg files")
     path, picture = tmp_path / "strokes.svg", tmp_path / "strokes.png"
     path.write_text(SVG.replace('fill="#000000"', 'fill="none" stroke="#000000"'))
