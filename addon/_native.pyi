@@ -1312,7 +1312,9 @@ class Frame:
         """{name: pixels, or None}, of line_sets {name of the set: pixels}, of mattes [pixels]; they are handed over,
         once."""
     def thins(self) -> bool: ...
-    def shown_lines(self) -> ShownLines: ...
+    def found_lines(self) -> FoundLines: ...
+    def take_over(self, same: FoundLines) -> None:
+        """Takes over the FoundLines of a Frame of the same content (content_of), style, options and backend."""
     def focus_of_pixels(self) -> NDArray[numpy.float32] | None:
         """(H, W) float32 in [0, 1] of what each pixel shows; None: all is in focus."""
     def strokes_with(self, shown: Annotated[ArrayLike, numpy.float32]) -> Strokes:
@@ -1368,6 +1370,15 @@ class Frame:
     @property
     def stages(self) -> dict[str, float]:
         """{stage: milliseconds}, in the order in which they ran"""
+
+class FoundLines:
+    """What a frame has found of its lines, up to their elision without neighboring frames."""
+    @property
+    def shown_lines(self) -> ShownLines:
+        """as neighboring frames need them"""
+    @property
+    def bytes(self) -> int:
+        """about"""
 
 class Ahead:
     """Computes what frames of a style will need of surfaces, on other threads, while others are read. As a context: at
@@ -1508,6 +1519,9 @@ class Overrides:
         lines are for it, and materials whose faces' lines are, None: all. Of all sets: shown (n,) uint32 registry bits
         of what each placement shows, parameters {definition: {parameter: (n,) float64 that placements have instead,
         NaN: none}}, and lined: the materials that have lines at all."""
+
+def content_of(scene: Scene, view: View, overrides: Overrides) -> int:
+    """Hash of what the lines of a frame depend on, beside its style, options and backend."""
 
 class CenterLines:
     """A frame's strokes as R polylines of M points in all, with what their pens make of them; takes the frame's steps

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Renders native scenes: builds the core's Frame (native/fovea/draw/frame.h) and its Options from Python's records."""
 
+from collections.abc import Callable
+from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
 
@@ -8,6 +10,15 @@ from . import native, style
 from .stages import Image
 
 FOLDER = Path(__file__).parent  # contains the bundled textures and papers
+
+
+@dataclass(frozen=True)
+class Near:
+    """What is known of the frames near one, and of that one, of an animation whose line thinning is smoothed."""
+
+    lines: dict  # {frame offset: native ShownLines}
+    same: object = None  # native FoundLines of the frame itself; None: its lines are to be found
+    keep: Callable | None = None  # called with its FoundLines when its picture is made
 
 
 def options(**given):
@@ -19,11 +30,11 @@ def frame(scene, view, chosen, backend, asked, *, notes=None, colors=None, near=
     """A native Frame for a native Scene, a native View and a Style; no stage of it has run yet.
 
     `asked`: native Options. `notes`: native Overrides, per placement. `colors`: native ColorSources, needed if the
-    style has a color layer. `near`: {frame offset: ShownLines of that frame}, needed if `frames_near` is above 0.
+    style has a color layer. `near`: a Near, needed if `frames_near` is above 0.
     `progress(share, stage)` is called before each stage, with the share done in [0, 1]. `cancel`: native Cancel."""
     core = native.load()
     with native.refusals():
-        return core.Frame(
+        made = core.Frame(
             scene,
             view,
             chosen,
@@ -32,10 +43,13 @@ def frame(scene, view, chosen, backend, asked, *, notes=None, colors=None, near=
             backend=backend,
             overrides=notes,
             colors=colors,
-            near=near or {},
+            near=near.lines if near else {},
             cancel=cancel,
             progress=progress,
         )
+        if near and near.same:
+            made.take_over(near.same)
+    return made
 
 
 def style_of_lines(kinds, corner_angle=60.0, with_hidden=False):
@@ -47,11 +61,13 @@ def style_of_lines(kinds, corner_angle=60.0, with_hidden=False):
     return style.Style(line_sets=(lines,))
 
 
-def draw(scene, view, chosen, backend, asked, also=None, **beside):
+def draw(scene, view, chosen, backend, asked, near=None, also=None, **beside):
     """Renders a scene to an Image; arguments as for `frame`. `also(frame)` is called after all of its steps."""
-    made = frame(scene, view, chosen, backend, asked, **beside)
+    made = frame(scene, view, chosen, backend, asked, near=near, **beside)
     with native.refusals():
         made.picture()
+        if near and near.keep:
+            near.keep(made.found_lines())
     if also:
         also(made)
     statistics = {

@@ -35,8 +35,8 @@ class DrawnLines:
 
 def of(read, view, style, options, near=None, cancel=None):
     """DrawnLines of a Read scene for a Style and a View, as strokes are drawn: with haloes, overshoot, and what changes
-    pens along strokes. `near`: {frame offset: ShownLines} of neighboring frames, for elision smoothed in time;
-    `cancel`: a native Cancel, or None."""
+    pens along strokes. `near`: a pipeline.Near, for elision smoothed in time; `cancel`: a native Cancel, or
+    None."""
     core = native.load()
     seen = scene.seen(core, view)
     beside = {"notes": read.notes, "near": near, "cancel": cancel}

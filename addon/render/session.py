@@ -110,8 +110,8 @@ def gather(engine, depsgraph, chosen, viewport=None, with_colors=True, cancel=No
 
 
 def draw(found, seen, chosen, backend, options, progress, cancel, near=None, also=None):
-    """The Image of a Read scene in a native View; accesses no Blender data unless the backend does. `near`: {frame
-    offset: ShownLines} of neighboring frames, for elision smoothed in time. `also`: as for `pipeline.draw`."""
+    """The Image of a Read scene in a native View; accesses no Blender data unless the backend does. `near`: a
+    pipeline.Near, for elision smoothed in time. `also`: as for `pipeline.draw`."""
     beside = {"colors": found.colors, "notes": found.notes, "near": near, "also": also}
     return pipeline.draw(found.placed, seen, chosen, backend, options, **beside, progress=progress, cancel=cancel)
 
@@ -137,29 +137,38 @@ def final(engine, depsgraph, make=draw, *, chosen=None, lines_alone=False, tell=
     asked = {} if lines_alone else passes.options(depsgraph.view_layer, followed.follows(depsgraph.scene))
     lines_alone = lines_alone or followed.follows(depsgraph.scene)
     options = pipeline.options(visibility=visibility, **asked, **methods.quality(settings))
-    cancel = core.Cancel()
+    seen, cancel = scene.seen(core, view), core.Cancel()
+
+    def read():
+        near = lines_near(engine, depsgraph, styled, backend, options, cancel)
+        # After the neighboring frames, because cached surfaces have the positions of the frame gathered last.
+        return near, gather(engine, depsgraph, chosen, with_colors=not lines_alone, cancel=cancel)
+
     with watched(engine, cancel), cancel:
         try:
             start = time.perf_counter()
-            near = lines_near(engine, depsgraph, styled, backend, options, cancel)
-            near_s = time.perf_counter() - start if near else 0.0
-            # After the neighboring frames, because cached surfaces have the positions of the frame gathered last.
-            found = gather(engine, depsgraph, chosen, with_colors=not lines_alone, cancel=cancel)
-            return found, make(found, scene.seen(core, view), chosen, backend, options, tell, cancel, near), near_s
+            near, found = read()
+            if near:
+                content = near_frames.content(found, seen, chosen, options, backend)
+                if near_frames.changed(engine, depsgraph, content):
+                    near, found = read()
+                near = near_frames.with_itself(engine, depsgraph, near, content)
+            near_s = time.perf_counter() - start - found.seconds if near else 0.0
+            return found, make(found, seen, chosen, backend, options, tell, cancel, near), near_s
         except core.Cancelled:
             return None
 
 
 def lines_near(engine, depsgraph, styled, backend, options, cancel=None):
-    """{frame offset: ShownLines} of a final render's neighboring frames, for elision smoothed in time; else {}.
-    `styled(depsgraph)`: its Style, with the animated values of the frame that it is evaluated at."""
+    """The pipeline.Near of a final render, for elision smoothed in time; else None. `styled(depsgraph)`: its Style,
+    with the animated values of the frame that it is evaluated at."""
     frames = pipeline.frames_near(styled(depsgraph), options)
-    look = partial(_shown_lines, engine, depsgraph, styled, backend, options, cancel)
-    return near_frames.shown_lines(engine, depsgraph, frames, look) if frames else {}
+    look = partial(_look, engine, depsgraph, styled, backend, options, cancel)
+    return near_frames.near(engine, depsgraph, frames, look) if frames else None
 
 
-def _shown_lines(engine, depsgraph, styled, backend, options, cancel):
-    """ShownLines of the frame that a final render's depsgraph is evaluated at; None if nothing is elided there."""
+def _look(engine, depsgraph, styled, backend, options, cancel):
+    """The near_frames.Looked of the frame that a final render's depsgraph is evaluated at."""
     chosen = styled(depsgraph)
     found = gather(engine, depsgraph, chosen, with_colors=False, cancel=cancel)
     seen = scene.seen(native.load(), camera.of_render(engine, depsgraph))
@@ -169,7 +178,8 @@ def _shown_lines(engine, depsgraph, styled, backend, options, cancel):
 
     beside = {"notes": found.notes, "progress": progress, "cancel": cancel}
     frame = pipeline.frame(found.placed, seen, chosen, backend, options, **beside)
-    return frame.shown_lines() if frame.thins() else None
+    content = near_frames.content(found, seen, chosen, options, backend)
+    return near_frames.Looked(content, frame.found_lines() if frame.thins() else None)
 
 
 @contextmanager
@@ -252,5 +262,6 @@ def _hand_over(engine, layer, filled):
 def forget():
     """Clears all caches, as another file is loaded."""
     readers.clear()
+    near_frames.forget()
     _statistics.clear()
     _remarked.clear()

@@ -5,6 +5,7 @@
 #include <pybind11/typing.h>
 
 #include <fovea/draw/ahead.h>
+#include <fovea/draw/content.h>
 #include <fovea/draw/cryptomatte.h>
 #include <fovea/draw/polylines.h>
 #include <fovea/visibility/exact.h>
@@ -131,6 +132,15 @@ void bind_backend(py::module_& m) {
         .def_readwrite("most_side", &CpuBackend::most_side);
 }
 
+void bind_found_lines(py::module_& m) {
+    py::class_<FoundLines, std::shared_ptr<FoundLines>>(
+        m, "FoundLines", "What a frame has found of its lines, up to their elision without neighboring frames.")
+        .def_property_readonly(
+            "shown_lines", [](const FoundLines& found) { return mutable_pointer(found.lines); },
+            "as neighboring frames need them")
+        .def_property_readonly("bytes", &FoundLines::bytes, "about");
+}
+
 void bind_ahead(py::module_& m) {
     py::class_<Ahead>(m, "Ahead",
                       "Computes what frames of a style will need of surfaces, on other threads, while others are read. "
@@ -159,6 +169,13 @@ void bind_parts(py::module_& m) {
              py::arg("surfaces"), py::arg("lights"), py::arg("world"),
              "surfaces: a SurfaceColor or None per placement; world: radiance of the sky.");
     bind_overrides(m);
+    m.def(
+        "content_of",
+        [](const Scene& scene, const View& view, const OwningOverrides& told) {
+            return without_gil([&] { return content_of(scene, view, told.overrides); });
+        },
+        py::arg("scene"), py::arg("view"), py::arg("overrides"),
+        "Hash of what the lines of a frame depend on, beside its style, options and backend.");
 }
 
 using FrameClass = py::class_<Frame, std::shared_ptr<Frame>>;
@@ -184,7 +201,10 @@ stage.)")
              "over, "
              "once.")
         .def("thins", &Frame::thins)
-        .def("shown_lines", &Frame::shown_lines, NoGil())
+        .def(
+            "found_lines", [](Frame& frame) { return mutable_pointer(frame.found_lines()); }, NoGil())
+        .def("take_over", &Frame::take_over, NoGil(), py::arg("same"),
+             "Takes over the FoundLines of a Frame of the same content (content_of), style, options and backend.")
         .def(
             "focus_of_pixels",
             [](Frame& frame) {
@@ -244,6 +264,7 @@ void bind_members(FrameClass& frame) {
 void bind_draw(py::module_& m) {
     FrameClass frame(m, "Frame",
                      "One picture on its way: each step takes those before it; see native/fovea/draw/frame.h.");
+    bind_found_lines(m);
     bind_ahead(m);
     bind_backend(m);
     bind_parts(m);

@@ -88,6 +88,57 @@ def test_a_frame_alone_is_that_of_the_animation_either_way(fence, tmp_path):
     assert np.abs(at(fence, 3, tmp_path) - alone).max() > 0.05
 
 
+@pytest.fixture
+def looked(monkeypatch):
+    """Frames whose lines are found, in order."""
+    frames, look = [], session._look
+
+    def looking(engine, depsgraph, *arguments):
+        frames.append(depsgraph.scene.frame_current)
+        return look(engine, depsgraph, *arguments)
+
+    monkeypatch.setattr(session, "_look", looking)
+    return frames
+
+
+def test_the_lines_of_a_frame_are_found_once_in_an_animation(fence, tmp_path, looked):
+    animation(fence, tmp_path)
+    others = set(range(FRAMES[0] - 2, FRAMES[-1] + 3)) - {FRAMES[0]}  # whose lines are found as it is drawn
+    assert sorted(looked) == sorted(others)
+    assert not near_frames._frames.looked, "nothing is kept beyond it"
+
+
+def test_a_memory_limit_changes_no_picture(fence, tmp_path, looked):
+    kept = part("scene.kept")
+    whole = animation(fence, tmp_path)
+    often = len(looked)
+    kept.limit = 1
+    try:
+        small = animation(fence, tmp_path)
+    finally:
+        kept.limit = 0
+    assert len(looked) - often > often, "lines are let go"
+    for frame in FRAMES:
+        np.testing.assert_array_equal(small[frame], whole[frame])
+
+
+def test_what_changes_between_the_frames_of_an_animation_counts(fence, tmp_path):
+    """As a script that answers to a frame may do."""
+    post = bpy.data.objects["Post06"]
+
+    def move(scene, *_):
+        if scene.frame_current == 2:
+            post.location.x += 0.4
+
+    bpy.app.handlers.render_post.append(move)
+    try:
+        found = animation(fence, tmp_path)
+    finally:
+        bpy.app.handlers.render_post.remove(move)
+    for frame in (3, 4, 5):
+        np.testing.assert_array_equal(at(fence, frame, tmp_path), found[frame])
+
+
 def test_frames_beyond_the_range_count_as_well(fence, tmp_path):
     alone = at(fence, 1, tmp_path)
     fence.frame_start = -10
@@ -147,7 +198,7 @@ def test_other_frames_are_asked_only_where_they_count(fence, tmp_path, monkeypat
     def asked(*_arguments):
         raise AssertionError("another frame was asked")
 
-    monkeypatch.setattr(near_frames, "shown_lines", asked)
+    monkeypatch.setattr(near_frames, "near", asked)
     if name == "visibility":
         fence.fovea.visibility = value
     else:

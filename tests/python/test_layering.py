@@ -74,8 +74,8 @@ FOLDERS = "gpu scene focus style render ui".split()
 # `native.load()` gives the native module; other parts get handles from these.
 LOADERS = (
     r"addon/(gpu/\w+|catalogue|curve_fit|line_arrays|pipeline|scene/api|style/(__init__|style_picture)|"
-    r"render/(bake_operators|drawn_lines|gpu_check|line_operators|methods|reading|session|vector_settings|vectors|"
-    r"viewport|whole_pictures)|ui/preferences)\.py"
+    r"render/(bake_operators|drawn_lines|gpu_check|line_operators|methods|near_frames|reading|session|vector_settings|"
+    r"vectors|viewport|whole_pictures)|ui/preferences)\.py"
 )
 
 

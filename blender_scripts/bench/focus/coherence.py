@@ -182,7 +182,7 @@ class InTime:
 
     def see(self, drawn):
         """Adds a frame; the first and the last `frames` are not passed on."""
-        self._known.append((replace(drawn, image=None), drawn.frame.shown_lines()))
+        self._known.append((replace(drawn, image=None), drawn.frame.found_lines().shown_lines))
         if len(self._known) == self._known.maxlen:
             here, lines = self._known[self.frames]
             near = {k - self.frames: known for k, (_, known) in enumerate(self._known) if k != self.frames}

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include <fovea/base/check.h>
+#include <fovea/base/hash.h>
 #include <fovea/base/parallel.h>
 #include <fovea/color/srgb.h>
 
@@ -45,7 +46,7 @@ ColorTexture::ColorTexture(In<float> pixels, int width, int height, int channels
     parallel_for(levels_[0].texels.size(), [&](std::size_t i) {
         const float* p = &pixels[i * channels];
         const vec3 color = channels < 3 ? vec3(p[0]) : vec3(p[0], p[1], p[2]);
-        Texel& texel = levels_[0].texels[i];
+        Texel& texel = levels_[0].texels[i] = Texel(0);
         for (int c = 0; c < 3; ++c) texel[c] = byte_of(encoded ? color[c] : to_srgb(std::max(color[c], 0.0f)));
     });
     while (levels_.back().width > 1 || levels_.back().height > 1) {
@@ -89,6 +90,11 @@ vec3 ColorTexture::bilinear(const Level& level, const vec2& uv) const {
     const auto texel = [&](std::size_t row, int x) { return linear(level.texels[row + x]); };
     return glm::mix(glm::mix(texel(y0, x0), texel(y0, x1), share.x), glm::mix(texel(y1, x0), texel(y1, x1), share.x),
                     share.y);
+}
+
+std::uint64_t ColorTexture::content() const {
+    const Level& whole = levels_[0];
+    return hash_of(In<Texel>(whole.texels), hash_numbers(whole.width, whole.height));
 }
 
 }  // namespace fovea::color

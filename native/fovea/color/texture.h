@@ -18,6 +18,8 @@ class ColorTexture {
     vec3 at(const vec2& uv, float footprint) const;
     int width() const { return levels_[0].width; }
     int height() const { return levels_[0].height; }
+    /// Hash of its pixels.
+    std::uint64_t content() const;
 
    private:
     using Texel = glm::u8vec4;

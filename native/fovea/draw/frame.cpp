@@ -137,11 +137,12 @@ void Frame::thin() {
         stage("elision", 0.05, [&] {
             const style::Elision& elision = job.style.elision;
             const float cut = float(elision.cut);
-            shown = left(job.near.empty() ? cut : 0.0f);
-            if (job.near.empty()) return;
-            const ShownLines now =
-                elision::shown_lines(*clipped, *paths, *job.scene, *runs, shown, job.view.width, job.view.height);
-            shown = smoothed_in_time(shown, now, job.near, elision.frames);
+            if (job.near.empty()) {
+                shown = left(cut);
+                return;
+            }
+            const auto now = found_lines();
+            shown = smoothed_in_time(now->shown, *now->lines, job.near, elision.frames);
             for (float& opacity : shown)
                 if (opacity < cut) opacity = 0.0f;
         });
@@ -231,12 +232,6 @@ std::string Frame::visibility_in_words() const {
                                                      " x " + std::to_string(o.depth_scale)
                                                : "";
     return method.words + quality;
-}
-
-ShownLines Frame::shown_lines() {
-    filter();
-    const Cancelling scope(job.cancel.get());
-    return elision::shown_lines(*clipped, *paths, *job.scene, *runs, left(0.0f), job.view.width, job.view.height);
 }
 
 /// The painted attribute of that name; empty on all placements if there is none.

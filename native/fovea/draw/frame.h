@@ -12,6 +12,7 @@
 
 #include <fovea/color/layer.h>
 #include <fovea/draw/backend.h>
+#include <fovea/draw/found_lines.h>
 #include <fovea/draw/line_passes.h>
 #include <fovea/draw/options.h>
 #include <fovea/draw/overrides.h>
@@ -101,8 +102,12 @@ class Frame {
     bool thins() const;
     /// Name of the method of visibility, and its quality, for reports.
     std::string visibility_in_words() const;
-    /// Elision opacities of this frame's lines, as neighboring frames need them. Runs the steps up to filter().
-    ShownLines shown_lines();
+    /// What is found of this frame's lines, up to their elision without neighboring frames. Runs the steps up to
+    /// filter().
+    std::shared_ptr<const FoundLines> found_lines();
+    /// Takes over what was found of a frame of the same content (content.h), style, options and backend: the steps up
+    /// to filter() need not run.
+    void take_over(std::shared_ptr<const FoundLines> same);
     /// Focus at each pixel; empty if all is in focus. Runs no other step.
     Array<float> focus_of_pixels();
 
@@ -148,6 +153,7 @@ class Frame {
     void put_on_paper(In<vec4> lines, In<vec4> colors, Array<vec4>& out) const;
 
     Array<Index> pen_of_run_;
+    std::shared_ptr<const FoundLines> found_;
     Step done_ = Step::none;
     double share_ = 0.0;
     Array<float> depth_;

@@ -63,7 +63,7 @@ void draw_mesh(Choices& choices) {
     OwningJob made = random_job(choices);
     if (made.job.style.elision.enabled && made.job.style.elision.frames > 0) {
         Frame before(made.job);
-        made.job.near = {{-1, std::make_shared<const ShownLines>(before.shown_lines())}};
+        made.job.near = {{-1, before.found_lines()->lines}};
     }
     draw_picture(std::move(made.job));
 }

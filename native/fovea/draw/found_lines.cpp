@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fovea/draw/found_lines.h>
+
+#include <fovea/draw/frame.h>
+
+namespace fovea::draw {
+namespace {
+
+constexpr double share_until_filter = 0.75;  // of the work, as the steps up to filter() have it
+
+template <typename Values>
+std::size_t bytes_of(const Values& values) {
+    return values.size() * sizeof(*values.data());
+}
+
+template <typename Structure, typename... Columns>
+std::size_t bytes_of(const Structure& structure, const Columns&... groups) {
+    std::size_t sum = 0;
+    const auto add = [&](const auto& column) { sum += bytes_of(structure.*column.array); };
+    (for_each_column(groups, add), ...);
+    return sum;
+}
+
+}  // namespace
+
+std::size_t FoundLines::bytes() const {
+    return bytes_of(*paths, Paths::path_columns, Paths::point_columns) +
+           bytes_of(*clipped, ClippedPaths::piece_columns, ClippedPaths::point_columns) +
+           bytes_of(*visible, Runs::columns) + bytes_of(*runs, Runs::columns) + bytes_of(lines->samples) +
+           bytes_of(lines->parts) + bytes_of(samples) + bytes_of(focus) + bytes_of(distance) + bytes_of(shown);
+}
+
+std::shared_ptr<const FoundLines> Frame::found_lines() {
+    filter();
+    if (found_) return found_;
+    const Cancelling scope(job.cancel.get());
+    FoundLines found{paths, clipped, visible, runs, samples, focus, distance, left(0.0f), nullptr, stages};
+    found.lines = std::make_shared<ShownLines>(
+        elision::shown_lines(*clipped, *paths, *job.scene, *runs, found.shown, job.view.width, job.view.height));
+    found_ = std::make_shared<FoundLines>(std::move(found));
+    return found_;
+}
+
+void Frame::take_over(std::shared_ptr<const FoundLines> same) {
+    const Cancelling scope(job.cancel.get());
+    rays();
+    found_ = std::move(same);
+    paths = found_->paths;
+    clipped = found_->clipped;
+    visible = found_->visible;
+    runs = found_->runs;
+    samples = found_->samples;
+    focus = found_->focus;
+    distance = found_->distance;
+    stages = found_->stages;
+    share_ = share_until_filter;
+    done_ = Step::filter;
+}
+
+}  // namespace fovea::draw
