@@ -133,7 +133,8 @@ TEST(ElisionInTime, ThePlaceIsFoundWhereverTheLineIsAndHoweverItIsSampled) {
     const double length = glm::distance(bent[0], bent[1]) + glm::distance(bent[1], bent[2]);
     const auto seen = [&](dmat4 to_world, double step_px) {
         Frame frame({bent}, to_world, step_px);
-        for (const ShownLines::Sample& at : frame.told().samples) frame.shown[at.number] = float(at.arc / length);
+        for (const LinePlaces::Sample& at : frame.told().places.samples)
+            frame.shown[at.number] = float(at.arc / length);
         return frame;
     };
     const dmat4 nearer = glm::translate(dmat4(1.0), dvec3(0.05, -0.03, 0.2));
@@ -161,11 +162,11 @@ TEST(ElisionInTime, ThePlaceIsFoundOnPathsThatBeginElsewhereOrGoTheOtherWay) {
     earlier.lines.paths.edge_t = {1.0f, 0.0f};
     for (Frame* frame : {&now, &later, &earlier}) {
         frame->lines.scene = now.lines.scene;
-        for (const ShownLines::Sample& at : frame->told().samples)
+        for (const LinePlaces::Sample& at : frame->told().places.samples)
             frame->shown[at.number] = frame == &now ? 1.0f : float(at.share);
     }
     const Array<float> smooth = middle_of({earlier, now, later}, 1);
-    for (const ShownLines::Sample& at : now.told().samples) {
+    for (const LinePlaces::Sample& at : now.told().places.samples) {
         const bool first_edge = at.arc < glm::distance(all[0], all[1]);
         EXPECT_NEAR(smooth[at.number], first_edge ? 1.0 : 0.5 + 0.5 * at.share, 5e-3) << at.arc;
     }

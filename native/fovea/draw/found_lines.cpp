@@ -26,8 +26,8 @@ std::size_t bytes_of(const Structure& structure, const Columns&... groups) {
 std::size_t FoundLines::bytes() const {
     return bytes_of(*paths, Paths::path_columns, Paths::point_columns) +
            bytes_of(*clipped, ClippedPaths::piece_columns, ClippedPaths::point_columns) +
-           bytes_of(*visible, Runs::columns) + bytes_of(*runs, Runs::columns) + bytes_of(lines->samples) +
-           bytes_of(lines->parts) + bytes_of(samples) + bytes_of(focus) + bytes_of(distance) + bytes_of(shown);
+           bytes_of(*visible, Runs::columns) + bytes_of(*runs, Runs::columns) + bytes_of(lines->places.samples) +
+           bytes_of(lines->places.parts) + bytes_of(samples) + bytes_of(focus) + bytes_of(distance) + bytes_of(shown);
 }
 
 std::shared_ptr<const FoundLines> Frame::found_lines() {

@@ -1,44 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Temporal smoothing of elision. View-independent lines lie at the same places of their meshes in every frame, so their
-// elision opacity can be averaged over neighboring frames.
+// Temporal smoothing of elision: the elision opacity of view-independent lines is averaged over neighboring frames.
 #pragma once
 
-#include <fovea/path/paths.h>
-#include <fovea/scene/scene.h>
-#include <fovea/visibility/runs.h>
+#include <fovea/elision/line_places.h>
 
 namespace fovea::elision {
 
-/// Elision opacity, in one frame, of view-independent lines (those without Paths::of_view). Paths may be longer or
-/// shorter in another frame, where an earlier line set takes edges from them. So samples are matched across frames by
-/// (edge, fraction) on edges of the mesh, each of which is on one path only, and by (path id, fraction of the length in
-/// object space) on lines across triangles, which are always whole. Both keys hold under motion and deformation.
+/// Elision opacity of the view-independent lines of one frame.
 struct ShownLines {
-    static constexpr float unseen = -1.0f;
-
-    /// Id of an edge of a placement, or of a path across triangles.
-    using Key = std::uint64_t;
-    /// Interval of a path of this frame that a key denotes: from .. to in arc length, object units. Sorted by key.
-    struct Part {
-        Key key;
-        Index path;
-        double from, to;
-    };
-    struct Sample {
-        Index number;  ///< atlas index
-        Key key;
-        double share;  ///< fraction in [0,1] of what the key denotes
-        double arc;    ///< length from the path's start, object units; ascending along a stretch
-        double reach;  ///< range before and after it in which the sample is valid, object units
-        float shown;   ///< opacity factor in [0,1]; `unseen` outside of the picture
-    };
-
-    Array<Part> parts;
-    /// Per stretch (one per run): its path, ascending; whether it is hidden; its samples.
-    Array<Index> path;
-    Array<std::uint8_t> hidden;
-    Rows rows;
-    Array<Sample> samples;
+    LinePlaces places;
+    Array<float> shown;  ///< per sample of `places`, in [0, 1]
 };
 
 /// `shown`: elision opacity per atlas sample (elision/opacity.h). `width`, `height`: of the picture [px].
