@@ -119,39 +119,53 @@ def key(obj, name, by):
 
 
 @pytest.fixture
-def frame(monkeypatch):
-    """frame(scene, number): {pass: pixels} that the engine hands over for a final render."""
-    handed, hand_over = {}, session._hand_over
+def handed(monkeypatch):
+    """{frame: {pass: pixels}} that the engine has handed over for final renders."""
+    found, hand_over = {}, session._hand_over
 
     def keeping(engine, layer, filled):
-        handed.update({name: pixels.copy() for name, (_, pixels) in filled.items()})
+        passes = found.setdefault(layer.id_data.frame_current, {})
+        passes.update({name: pixels.copy() for name, (_, pixels) in filled.items()})
         hand_over(engine, layer, filled)
 
     monkeypatch.setattr(session, "_hand_over", keeping)
+    return found
+
+
+@pytest.fixture
+def frame(handed):
+    """frame(scene, number): {pass: pixels} of a frame that is rendered by itself."""
 
     def render(scene, number):
-        handed.clear()
         scene.frame_set(number)
         bpy.ops.render.render()
-        return dict(handed)
+        return handed.pop(number)
 
     return render
 
 
 @pytest.mark.parametrize(
-    ("lines", "smoothed"), [(LINES, 0), ([name for name in LINES if name not in IN_IMAGE], 1)], ids=["all", "smoothed"]
+    ("lines", "smoothed"), [(LINES, 0), ([name for name in LINES if name not in IN_IMAGE], 2)], ids=["all", "smoothed"]
 )
-def test_a_frame_is_the_same_alone_in_order_backwards_and_shuffled(frame, lines, smoothed):
+def test_a_frame_is_the_same_alone_in_order_backwards_and_shuffled(frame, handed, tmp_path, lines, smoothed):
     alone = {number: frame(changing_scene(lines, smoothed), number) for number in FRAMES}
     of_lines = {"Lines", "LinesHidden", "LineDepth", "LineId", "CryptoObject00"}
     assert alone[1].keys() == {"Combined", *of_lines, "Color", "Focus", "Depth"}
+
+    def compare(number, found):
+        differing = {name: int((found[name] != alone[number][name]).sum()) for name in found}
+        assert found.keys() == alone[number].keys() and not any(differing.values()), (number, differing)
+
     shuffled = random.Random(4).sample(FRAMES, len(FRAMES))
-    for order in (FRAMES, reversed(FRAMES), shuffled):
+    for order in (reversed(FRAMES), shuffled):
         scene = changing_scene(lines, smoothed)
         for number in order:
-            found = frame(scene, number)
-            differing = {name: int((found[name] != alone[number][name]).sum()) for name in found}
-            assert found.keys() == alone[number].keys() and not any(differing.values()), (number, differing)
+            compare(number, frame(scene, number))
+    scene.frame_start, scene.frame_end = FRAMES[0], FRAMES[-1]
+    scene.render.filepath = str(tmp_path / "frame_####")
+    bpy.ops.render.render(animation=True)
+    for number in FRAMES:
+        compare(number, handed[number])
     for name, pixels in alone[3].items():
         assert (pixels != alone[9][name]).any(), name
 

@@ -108,6 +108,21 @@ def test_the_lines_of_a_frame_are_found_once_in_an_animation(fence, tmp_path, lo
     assert not near_frames._frames.looked, "nothing is kept beyond it"
 
 
+def test_the_lines_of_each_view_layer_are_found_once(fence, tmp_path, looked):
+    fence.view_layers.new("Other")
+    animation(fence, tmp_path)
+    assert len(looked) == 2 * (len(FRAMES) + 4 - 1)
+
+
+def test_a_cut_and_one_back_again_are_cuts_in_an_animation(fence, tmp_path):
+    other = add_camera((6, -14, 9), (0, 0, 0))
+    for frame, camera in ((-10, fence.camera), (3, other), (4, fence.camera)):
+        fence.timeline_markers.new(f"at {frame}", frame=frame).camera = camera
+    found = animation(fence, tmp_path)
+    for frame in FRAMES:
+        np.testing.assert_array_equal(at(fence, frame, tmp_path), found[frame])
+
+
 def test_a_memory_limit_changes_no_picture(fence, tmp_path, looked):
     kept = part("scene.kept")
     whole = animation(fence, tmp_path)

@@ -294,6 +294,27 @@ def test_a_keyed_style_and_focus_of_the_scene_are_those_of_the_frame(cycles, tmp
     assert 2 < covered[1] / covered[0] < 4
 
 
+def test_line_thinning_smoothed_over_frames_finds_the_lines_of_each_once(cycles, tmp_path, monkeypatch):
+    cycles.cycles.samples = 1
+    style = part("style.style_data").of(cycles).fovea
+    style.elision.enabled, style.elision.frames = True, 2
+    a_keyed_camera(cycles)
+    bpy.ops.fovea.lines_over()
+    stills = {}
+    for frame in (1, 2, 3):
+        cycles.frame_set(frame)
+        stills[frame] = drawn(cycles, tmp_path / f"still_{frame}.png")
+    session, looked = part("render.session"), []
+    look = session._look
+    monkeypatch.setattr(session, "_look", lambda *given: looked.append(look(*given)) or looked[-1])
+    cycles.frame_start, cycles.frame_end = 1, 3
+    cycles.render.filepath = str(tmp_path / "animation_####.png")
+    bpy.ops.render.render(animation=True)
+    assert len(looked) == 3 + 4 - 1
+    for frame, still in stills.items():
+        assert np.array_equal(pixels_of(tmp_path / f"animation_{frame:04}.png"), still)
+
+
 def test_a_compositor_that_several_scenes_share_is_copied(cycles):
     compositor = part("render.compositor")
     if not compositor.GROUPS:
