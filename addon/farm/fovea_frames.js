@@ -26,6 +26,14 @@ function settingUp(settings) {
         "from bl_ext.user_default.fovea.render import whole_frames; whole_frames.switch_on()";
 }
 
+// As one animation, if it is one range: then what frames have in common is found once.
+function chosenFrames(chunk) {
+    const range = /^(\d+)-(\d+)$/.exec(chunk);
+    return range
+        ? ["--frame-start", range[1], "--frame-end", range[2], "--frame-jump", "1", "--render-anim"]
+        : ["--render-frame", chunk.replace(/-/g, "..")];
+}
+
 function compileJob(job) {
     const settings = job.settings;
     const check = author.Task("check", "misc");
@@ -36,7 +44,7 @@ function compileJob(job) {
             exeArgs: "{blenderArgs}",
             argsBefore: ["--python-exit-code", "1", "--python-expr", settingUp(settings)],
             blendfile: settings.blendfile,
-            args: ["--render-output", settings.output, "--render-frame", chunk.replace(/-/g, "..")],
+            args: ["--render-output", settings.output].concat(chosenFrames(chunk)),
         }));
         check.addDependency(task);
         job.addTask(task);

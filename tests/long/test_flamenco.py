@@ -80,6 +80,12 @@ def test_a_task_of_flamenco_is_a_command_line_of_blender(compiled):
     assert "FOVEA_BACKEND='cpu'" in expression and "switch_on()" in expression
 
 
+def test_a_chunk_of_consecutive_frames_is_one_animation(compiled):
+    (command,) = compiled["tasks"][0]["commands"]
+    of_animation = ["--frame-start", "1", "--frame-end", "10", "--frame-jump", "1", "--render-anim"]
+    assert command["parameters"]["args"] == ["--render-output", "/frames/a_####", *of_animation]
+
+
 def test_every_setting_that_a_flamenco_job_reads_is_declared(compiled):
     declared = {setting["key"]: setting for setting in compiled["type"]["settings"]}
     assert declared.keys() == SETTINGS.keys()
