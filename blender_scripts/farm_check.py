@@ -16,7 +16,7 @@ from command import farm
 def main(words):
     options = farm.parse(["check", *words[1:]])
     first, last = options.frames or (1, 0)
-    result = frame_check.check(options.folders, range(first, last + 1))
+    result = frame_check.check(options.places, range(first, last + 1))
     found = {"result": result, "sentences": list(frame_check.sentences(result))}
     Path(words[0]).write_text(json.dumps(found), encoding="utf-8")
 
