@@ -15,6 +15,7 @@
 #include <fovea/draw/line_passes.h>
 #include <fovea/draw/options.h>
 #include <fovea/draw/overrides.h>
+#include <fovea/draw/pen_paints.h>
 #include <fovea/draw/pens.h>
 #include <fovea/elision/in_time.h>
 #include <fovea/focus/focus.h>
@@ -148,6 +149,7 @@ class Frame {
     void put_on_paper(In<vec4> lines, In<vec4> colors, Array<vec4>& out) const;
 
     Array<Index> pen_of_run_;
+    PenPaints pen_paints_;
     Step done_ = Step::none;
     double share_ = 0.0;
     Array<float> depth_;
