@@ -123,6 +123,18 @@ class style:
         def noise_opacity(self) -> float: ...
         @property
         def noise_color(self) -> float: ...
+        @property
+        def paint_width(self) -> str: ...
+        @property
+        def paint_width_name(self) -> str: ...
+        @property
+        def paint_opacity(self) -> str: ...
+        @property
+        def paint_opacity_name(self) -> str: ...
+        @property
+        def paint_color(self) -> str: ...
+        @property
+        def paint_color_name(self) -> str: ...
         fields: ClassVar[tuple]
 
     class Hidden:
@@ -1220,6 +1232,10 @@ class Strokes:
     def piece(self) -> NDArray[numpy.uint32]:
         """(V,) uint32 piece of ClippedPaths that it belongs to; only the spine test asks, and it may be empty
         otherwise"""
+    @property
+    def color(self) -> NDArray[numpy.float32]:
+        """(V, 3) float32 scene-linear color before the second one, where a pen takes it from surfaces; else it is
+        empty, and colors are those of the pens"""
 
 class ColorTexture:
     """An image of base colors."""
@@ -1502,7 +1518,8 @@ class Overrides:
         self,
         *,
         importance: Annotated[ArrayLike, numpy.float32] | None=None,
-        painted: Mapping[str, Sequence[Annotated[ArrayLike, numpy.float32] | None]]={},
+        painted: Mapping[tuple[str, str], Sequence[Annotated[ArrayLike, numpy.float32] | None]]={},
+        painted_colors: Mapping[tuple[str, str], Sequence[Annotated[ArrayLike, numpy.float32] | None]]={},
         objects: Sequence[Sequence[str]]=[],
         names: Sequence[str]=[],
         objects_of_placement: Annotated[ArrayLike, numpy.uint32] | None=None,
@@ -1513,12 +1530,13 @@ class Overrides:
         parameters: Mapping[str, Mapping[str, Annotated[ArrayLike, numpy.float64]]]={},
         lined: MaterialFilter | None=None,
     ) -> None:
-        """importance: (n,) float32 in [0, 1]; painted: {attribute: n arrays (C,) float32 at the mesh's corners, or
-        None}; objects: lists of names, names: of each of these the object's own, for mattes, and objects_of_placement
-        (n,) uint32: the list of each; density_map: over the camera's frame. By line set: placements (n,) uint8 whose
-        lines are for it, and materials whose faces' lines are, None: all. Of all sets: shown (n,) uint32 registry bits
-        of what each placement shows, parameters {definition: {parameter: (n,) float64 that placements have instead,
-        NaN: none}}, and lined: the materials that have lines at all."""
+        """importance: (n,) float32 in [0, 1]; painted: {(source of a pen's paint, name): n arrays (K,) float32 at the
+        mesh's K corners (its vertices if it has no faces), for K materials or, of objects, 1, or None}, painted_colors:
+        the same (K, 3); objects: lists of names, names: of each of these the object's own, for mattes, and
+        objects_of_placement (n,) uint32: the list of each; density_map: over the camera's frame. By line set:
+        placements (n,) uint8 whose lines are for it, and materials whose faces' lines are, None: all. Of all sets:
+        shown (n,) uint32 registry bits of what each placement shows, parameters {definition: {parameter: (n,) float64
+        that placements have instead, NaN: none}}, and lined: the materials that have lines at all."""
 
 def content_of(scene: Scene, view: View, overrides: Overrides) -> int:
     """Hash of what the lines of a frame depend on, beside its style, options and backend."""

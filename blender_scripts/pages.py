@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Runs inside Blender for the pictures of command/pages.py: each line definition over a faint drawing of its example
-model, the demo scene at each stage of the method and with several focus models, pens that change along strokes, scenes
-of what artists meet, sections, plots of transfer functions."""
+model, the demo scene at each stage of the method and with several focus models, pens that change along strokes and
+by what is painted, scenes of what artists meet, sections, plots of transfer functions."""
 
 import argparse
 import sys
@@ -30,6 +30,8 @@ from scenes import lessons
 FAINT = {"pen.width": 2.8, "pen.color": (0.4, 0.4, 0.4), "pen.taper": 0.0}
 BOLD = {"pen.width": 7.5, "pen.color": (0.0, 0.0, 0.0), "pen.taper": 0.0, "pen.strength_width": 0.5}
 GREYS = 16  # gray levels; fewer give smaller files
+EYE = np.array((0.13, -0.3, 0.09))  # of the monkey, in its widths
+WEIGHTS = 64  # steps of a painted vertex group
 
 
 def main(words):
@@ -121,6 +123,26 @@ def stroke(name, path):
     return np.round(gray * (GREYS - 1)) / (GREYS - 1)
 
 
+def painted(name, path):
+    """(H, W, 3) picture by a pen that takes something from surfaces, supersampled by 2."""
+    model, shown = pages.PAINTED[name]
+    change = paint_around_an_eye if name == "group" else None
+    return scene_in_colors(model, shown, pages.PAINTED_SIZE, path, change=change)
+
+
+def paint_around_an_eye(scene):
+    """A vertex group on the monkey, heavy near its left eye."""
+    obj = next(obj for obj in scene.objects if obj.type == "MESH")
+    places = np.empty((len(obj.data.vertices), 3), np.float32)
+    obj.data.vertices.foreach_get("co", places.ravel())
+    size = np.ptp(places[:, 0])
+    away = np.linalg.norm(places - EYE * size, axis=1) / size
+    levels = np.round(WEIGHTS * np.clip(1.15 - 1.6 * away, 0.08, 1.0)).astype(int)
+    group = obj.vertex_groups.new(name="Paint")
+    for level in np.unique(levels):
+        group.add(np.flatnonzero(levels == level).tolist(), level / WEIGHTS, "REPLACE")
+
+
 def plot(name, path):
     """(N, N) plot of a transfer function over focus: grid lines at quarters in gray, the curve in black."""
     transfer = style.Transfer(**pages.TRANSFERS[name])
@@ -139,8 +161,8 @@ def plot(name, path):
 
 
 DRAWN_BY = {
-    "lines": line, "sections": section, "way": stage, "focus": stage, "strokes": stroke, "situations": situation,
-    "over": over_render, "transfers": plot, "grease_pencil": pencil,
+    "lines": line, "sections": section, "way": stage, "focus": stage, "strokes": stroke, "painted": painted,
+    "situations": situation, "over": over_render, "transfers": plot, "grease_pencil": pencil,
 }  # fmt: skip
 
 

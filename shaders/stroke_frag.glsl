@@ -25,6 +25,9 @@ void main()
     color = mix(color, fetch_row(pens, 4 * other), mixed.x);
     ink_here = mix(ink_here, ink_of(other), mixed.y);
   }
+#ifdef PAINTED
+  color.xyz = own_color;
+#endif
   if (mixed.z > 0.0) {
     vec4 second = mix(fetch_row(pens, 4 * pen_index + 3), fetch_row(pens, 4 * other + 3), mixed.x);
     color = mix(color, second, mixed.z);

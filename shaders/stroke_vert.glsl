@@ -9,6 +9,9 @@ void main()
   opacity = width_opacity.y;
   pen_number = float(pen);
   mixed = mixes;
+#ifdef PAINTED
+  own_color = painted_color;
+#endif
 #ifdef SPINE
   spine = spine_range;
 #endif

@@ -21,7 +21,12 @@ def _folder():
 def programs():
     """{program: description}, each merged over that of the program in its `like` entry."""
     described = tomllib.loads((_folder() / "programs.toml").read_text())
-    return {name: {**described.get(said.get("like"), {}), **said} for name, said in described.items()}
+
+    def whole(name):
+        said = described[name]
+        return {**(whole(said["like"]) if "like" in said else {}), **said}
+
+    return {name: whole(name) for name in described}
 
 
 def source(files):

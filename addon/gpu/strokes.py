@@ -26,6 +26,9 @@ class StrokePass:
         }
         if spine_ranges is not None:
             attributes["spine_range"] = spine_ranges
+        self._variant = "painted_" if len(strokes.color) else ""
+        if self._variant:
+            attributes["painted_color"] = strokes.color
         self._batch = triangles(attributes, np.ascontiguousarray(strokes.triangles, np.uint32))
 
     def draw(self, box, program="stroke", samplers=None, **constants):
@@ -35,7 +38,7 @@ class StrokePass:
         with target.bind(blend="ALPHA_PREMULT") as framebuffer:
             framebuffer.clear(color=(0.0, 0.0, 0.0, 0.0))
             program = self._programs.bind(
-                program,
+                self._variant + program,
                 {**self._samplers, **(samplers or {})},
                 image_origin=(left, lower),
                 image_size=(target.width, target.height),

@@ -36,11 +36,13 @@ class Changes:
         self._told = self._must_read = True  # since the last read: any updates; any that are not harmless
         self._placements = self._needs = self._space = None
         self.moves = 0  # how often objects may have moved, changed their shape or been hidden
+        session.forget_weights()  # of what changed while there was no viewport, no update has told
 
     def note(self, updates):
         """Records the depsgraph's updates, except those caused by reading a cage (subdivision.py)."""
         if subdivision.is_echo(updates):
             return
+        session.forget_weights(updates)
         self._told = True
         self._must_read = self._must_read or not are_harmless(list(updates))
         self.moves += any(map(_moves, updates))

@@ -37,6 +37,7 @@ class Reader:
         with_marks = catalogue.read_edge_marks(chosen.line_sets)
         colors = color_sources.Gathering(core, self.colors) if with_colors and chosen.has_color() else None
         noted = notes.Gathering(core, self.colors, chosen)
+        self.colors.weights.begin(depsgraph)
         with native.refusals():
             ahead = core.Ahead(chosen, cancel)
         with ahead:
@@ -44,9 +45,10 @@ class Reader:
             found = scene.gather(
                 depsgraph, cache, with_marks=with_marks, viewport=viewport, images=self.colors.images, **beside
             )
-            placed, told = scene.placed(core, found), noted.notes(properties.density_map(depsgraph), found)
+            placed = scene.placed(core, found)
+            told, unpainted = noted.notes(properties.density_map(depsgraph), found)
             sources = colors and colors.sources(depsgraph.scene, found.surface_of_placement)
-        remarks = (*cache.remarks, *(colors.remarks() if colors else ()))
+        remarks = (*cache.remarks, *unpainted, *(colors.remarks() if colors else ()))
         seconds = time.perf_counter() - start
         changed = bool(cache.rebuilt or cache.moved)
         return Read(found, placed, sources, told, tuple(cache.rebuilt), changed, remarks, seconds)

@@ -207,6 +207,12 @@ def _progress(engine, share, text):
     stage_labels.show(engine, stage_labels.label(text))
 
 
+def forget_weights(updates=None):
+    """Forgets weights of vertex groups in viewports, as vertex_groups.Weights.forget does."""
+    if "VIEWPORT" in readers:
+        readers["VIEWPORT"].colors.weights.forget(updates)
+
+
 def report_skipped(engine, built, remarks=()):
     """Reports remarks and, once per newly built surface, what of its mesh was left out or looks wrong."""
     for sentence in (*remarks, *surfaces.remarks(built)):

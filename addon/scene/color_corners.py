@@ -1,25 +1,26 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""UV maps and attributes of a mesh, as arrays over the corners of its native surface."""
+"""UV maps, attributes and vertex groups of a mesh, as arrays over the corners of its native surface."""
 
 import weakref
 
 import numpy as np
 
-from . import color_nodes, mesh_arrays
+from . import color_nodes, mesh_arrays, vertex_groups
 
 COLORS = {"FLOAT_COLOR", "BYTE_COLOR"}
 VECTORS = {"FLOAT2": 2, "FLOAT_VECTOR": 3}  # types of attributes that may place an image, and their components
 
 
 class Corners:
-    """Reads arrays over the C corners on demand and collects them in `uvs` and `attributes`. If the surface is a
-    refined one, values are read from the mesh in the context `cage()` and interpolated to the refined corners; else the
-    corners are those of `mesh`. `known`: dict that caches refined arrays between pictures, because evaluating a cage
-    takes as long as evaluating the object."""
+    """Reads arrays over the C corners on demand (over the vertices of a mesh without faces) and collects them in `uvs`
+    and `attributes`. If the surface is a refined one, values are read from the mesh in the context `cage()` and
+    interpolated to the refined corners; else the corners are those of `mesh`. `cache`: the ColorCache that keeps
+    refined arrays between pictures, because evaluating a cage takes as long as evaluating the object, and weights; only
+    UV maps are read without one."""
 
-    def __init__(self, core, obj, mesh, surface, cage, known):
-        self._core, self._name, self._mesh = core, obj.name_full, mesh
-        self._surface, self._known = surface, known
+    def __init__(self, core, obj, mesh, surface, cage, cache):
+        self._core, self._obj, self._mesh = core, obj, mesh
+        self._surface, self._cache = surface, cache
         self._cage = cage if isinstance(surface, core.RefinedSurface) else None
         self._is_cut = isinstance(surface, core.CutSurface)
         self._index_of = {}
@@ -50,10 +51,23 @@ class Corners:
 
     def values(self, name):
         """(C,) float32 of a float attribute, or the mean of a color attribute's channels; None if missing."""
-        found = self._mesh.attributes.get(name)
-        if found is None or found.data_type not in COLORS | {"FLOAT"} or found.domain not in {"POINT", "CORNER"}:
+        return self._refined(name, _values)[:, 0] if self._is_painted(name) else None
+
+    def colors(self, name):
+        """(C, 3) float32 of a color attribute, or of a float attribute as grays; None if missing."""
+        return self._refined(name, _colors_or_grays) if self._is_painted(name) else None
+
+    def weights(self, name):
+        """(C,) float32 of a vertex group; None if missing."""
+        group = vertex_groups.index(self._obj, name)
+        if group is None:
             return None
-        return self._refined(name, _values)[:, 0]
+        known = self._cache.weights.of(self._obj, self._mesh, group)
+        return self._refined(group, _weights, _of_vertices(self._mesh, known))[:, 0]
+
+    def _is_painted(self, name):
+        found = self._mesh.attributes.get(name)
+        return found is not None and found.data_type in COLORS | {"FLOAT"} and found.domain in {"POINT", "CORNER"}
 
     def _index(self, arrays, name, read):
         if (id(arrays), name) not in self._index_of:
@@ -61,19 +75,19 @@ class Corners:
             arrays.append(read())
         return self._index_of[id(arrays), name]
 
-    def _refined(self, name, read):
-        """read(mesh, name) as an array over the surface's corners."""
-        values = read(self._mesh, name)
+    def _refined(self, name, read, values=None):
+        """read(mesh, name) as an array over the surface's corners. `values`: what it gives for the mesh, if known."""
+        values = read(self._mesh, name) if values is None else values
         if self._cage is None:
             return self._cut(values)
         # Blender's subdivided mesh shows whether the cage has changed, without evaluating the cage.
-        key, seen = (self._name, self._mesh.name_full, name, read), self._core.content_hash(values)
-        entry = self._known.get(key)
+        key = self._obj.name_full, self._mesh.name_full, name, read
+        seen, entry = self._core.content_hash(values), self._cache.refined.get(key)
         if entry is None or entry[0] != seen or entry[1]() is not self._surface:
             with self._cage() as cage:
                 offsets = mesh_arrays.read_offsets(cage, np.empty(len(cage.polygons) + 1, np.int32))
                 mixed = self._surface.mix_corners(read(cage, name), offsets)
-            entry = self._known[key] = (seen, weakref.ref(self._surface), mixed)
+            entry = self._cache.refined[key] = (seen, weakref.ref(self._surface), mixed)
         return entry[2]
 
     def _cut(self, values):
@@ -92,6 +106,18 @@ def _colors(mesh, name):
     return np.ascontiguousarray(_at_corners(mesh, mesh.attributes[name], "color", 4)[:, :3])
 
 
+def _colors_or_grays(mesh, name):
+    """(C, 3) scene-linear colors, or floats as such."""
+    if mesh.attributes[name].data_type in COLORS:
+        return _colors(mesh, name)
+    return np.repeat(_at_corners(mesh, mesh.attributes[name], "value", 1), 3, axis=1)
+
+
+def _weights(mesh, group):
+    """(C, 1) weights of the vertex group with that index."""
+    return _of_vertices(mesh, vertex_groups.read(mesh, group))
+
+
 def _values(mesh, name):
     """(C, 1) floats, or means of scene-linear colors."""
     attribute = mesh.attributes[name]
@@ -102,7 +128,12 @@ def _values(mesh, name):
 
 def _at_corners(mesh, attribute, what, columns):
     values = _read(attribute.data, what, columns)
-    if attribute.domain != "POINT":
+    return _of_vertices(mesh, values) if attribute.domain == "POINT" else values
+
+
+def _of_vertices(mesh, values):
+    """Values of vertices at the corners; those of a mesh without faces as they are."""
+    if not len(mesh.loops):
         return values
     vertices = np.empty(len(mesh.loops), np.int32)
     mesh.attributes[".corner_vert"].data.foreach_get("value", vertices)

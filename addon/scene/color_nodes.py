@@ -34,6 +34,11 @@ class Source:
     viewport: tuple = (0.8, 0.8, 0.8)  # replaces the color if the image or the attribute is missing
     followed: bool = True  # False: nodes that cannot be resolved statically; the viewport color replaces them
 
+    @property
+    def plain(self):
+        """The color where there is neither an image nor an attribute."""
+        return self.viewport if self.image or self.attribute is not None else self.color
+
 
 def source(material):
     """The Source of a material; for an empty slot (None), the mesh's active color attribute."""

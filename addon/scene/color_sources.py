@@ -7,6 +7,7 @@ import weakref
 from . import color_nodes, kept, materials, shader_links
 from .color_corners import Corners
 from .color_images import ImageCache
+from .vertex_groups import Weights
 
 
 class ColorCache:
@@ -15,6 +16,7 @@ class ColorCache:
     def __init__(self, core):
         self.images = ImageCache(core)
         self.refined = {}  # attributes of refined surfaces, see color_corners.py
+        self.weights = Weights()
         self.used = 0
         self.shown = weakref.WeakValueDictionary()  # id -> living ColorSources that use this cache
         kept.add_cache(self, core)
@@ -22,10 +24,15 @@ class ColorCache:
     def items(self, _needed):
         """The whole cache as one kept.Item, pinned while any ColorSources made with it are alive."""
         read = [entry[-1].nbytes for entry in self.refined.values()]
-        return [kept.Item(self.used, self.images.size() + sum(read), None if self.shown else self._clear)]
+        return [
+            kept.Item(
+                self.used, self.images.size() + self.weights.size() + sum(read), None if self.shown else self._clear
+            )
+        ]
 
     def _clear(self):
         self.images.clear()
+        self.weights.forget()
         self.refined.clear()
 
 
@@ -46,10 +53,10 @@ class Gathering:
         found = materials.of(obj, mesh)
         if repaired or not len(mesh.loops):
             sources = [self._source(material) for material in found]
-            slots = [self._core.ColorSlot(s.viewport if s.image or s.attribute else s.color) for s in sources]
+            slots = [self._core.ColorSlot(s.plain) for s in sources]
             self.surfaces.append(self._core.SurfaceColor(slots))
             return
-        corners = Corners(self._core, obj, mesh, surface, cage, self._cache.refined)
+        corners = Corners(self._core, obj, mesh, surface, cage, self._cache)
         slots = [self._slot(material, corners) for material in found]
         normals = corners.normals()
         self.surfaces.append(self._core.SurfaceColor(slots, normals, corners.uvs, corners.attributes))

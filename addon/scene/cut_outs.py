@@ -61,7 +61,7 @@ class Opacities:
 def of(opacities, obj, mesh, slots, px_per_unit):
     """(CutOuts, remarks) of an evaluated mesh: None if nothing is cut out of it. `opacities`: Opacities."""
     core, cuts, cut_of_slot, key, told = opacities.core, [], [], [], []
-    corners = Corners(core, obj, mesh, None, None, {})
+    corners = Corners(core, obj, mesh, None, None, None)
     for slot in slots:
         cut_of_slot.append(-1)
         if slot.cut is None:

@@ -208,18 +208,19 @@ class _Gathering:
             usage = OCCLUDE | HOLDOUT
         parent = instance.parent.name_full if instance.is_instance and instance.parent else ""
         owners = (obj.name_full, parent) if parent else (obj.name_full,)
-        names, (priority, shown, *own) = (obj.name_full, parent), self.own(obj)
+        names, (color, priority, shown, *own) = (obj.name_full, parent), self.own(obj)
         if shape:
             names = (*names, shape.name) if shape.name else names
             shown &= self.outlines if shape.outlined else shown
         names, group = self.name_hash(*names), self.outline_group(obj, parent)
-        self.origins.append(Origin(surface, names, usage, group, obj.name, owners, priority, shown, own))
+        self.origins.append(Origin(surface, names, usage, group, obj.name, owners, priority, shown, color, own))
 
     def own(self, obj):
-        """(priority, *own_lines.of) of an object's settings, read from its evaluated original (see `_usage`)."""
+        """(color, priority, *own_lines.of) of an object, read from its evaluated original (see `_usage`)."""
         if obj.name_full not in self.known_own:
-            settings = obj.original.evaluated_get(self.depsgraph).fovea
-            self.known_own[obj.name_full] = (settings.priority, *own_lines.of(settings))
+            real = obj.original.evaluated_get(self.depsgraph)
+            color, settings = tuple(real.color)[:3], real.fovea
+            self.known_own[obj.name_full] = (color, settings.priority, *own_lines.of(settings))
         return self.known_own[obj.name_full]
 
     def outline_group(self, obj, parent):

@@ -19,6 +19,7 @@ class Origin(NamedTuple):
     owners: tuple  # full names: the object's and, for an instance, its instancer's
     importance: float  # in [0, 1], the object's priority
     shown: int  # kinds of lines that the object shows, bit i: the registry's definition i
+    color: tuple  # the object's viewport color, scene-linear
     own: tuple  # per parameter of own_lines.parameters(): the object's value, NaN: not overridden
 
 

@@ -63,15 +63,15 @@ def transfers(cls):
 
 
 def grouped(cls):
-    """{declared group: names of a record's plain members in it}, in order. In a group, choices come right after its
-    first member, as they are its unit or what it is anchored to."""
+    """{declared group: names of a record's plain members in it}, in order. Where a group does not begin with a choice,
+    choices come right after its first member, as they are its unit or what it is anchored to."""
     groups = {}
     for field in plain_fields(cls):
         groups.setdefault(field["group"], []).append(field)
-    return {
-        group: [f["name"] for f in (fields[0], *sorted(fields[1:], key=lambda f: f["type"] != "choice"))]
-        for group, fields in groups.items()
-    }
+    for fields in groups.values():
+        if fields[0]["type"] != "choice":
+            fields[1:] = sorted(fields[1:], key=lambda f: f["type"] != "choice")
+    return {group: [f["name"] for f in fields] for group, fields in groups.items()}
 
 
 def _property(field):

@@ -3,6 +3,8 @@
 
 import re
 
+import bpy
+
 from .. import style
 from ..scene import followed
 from ..style import style_curves, style_data, style_groups
@@ -18,9 +20,13 @@ HEEDED = {  # member of a pen -> whether it has an effect for a given pen
     "distance_near": lambda pen: _acts(pen, "distance"),
     "distance_far": lambda pen: _acts(pen, "distance"),
     "noise_length": lambda pen: _acts(pen, "noise"),
+    "paint_width_name": lambda pen: pen.paint_width in NAMED,
+    "paint_opacity_name": lambda pen: pen.paint_opacity in NAMED,
+    "paint_color_name": lambda pen: pen.paint_color in NAMED,
 }
+NAMED = {"VERTEX_GROUP", "ATTRIBUTE"}  # what of a pen's paints has a name
 # Group of a pen's members that is folded -> title.
-FOLDED = {"along": "Along the Stroke", "nib": "Nib", "distance": "Distance", "noise": "Noise"}
+FOLDED = {"along": "Along the Stroke", "nib": "Nib", "distance": "Distance", "noise": "Noise", "paint": "Painted"}
 
 
 def _acts(pen, group):
@@ -78,7 +84,13 @@ def draw_pen(layout, pen, most=None):
         column = body.column()
         for name in names:
             row = column.row(align=True)
-            draw_properties(row, pen, (name,), name not in HEEDED or HEEDED[name](pen))
+            heeded = name not in HEEDED or HEEDED[name](pen)
+            if group == "paint" and name.endswith("_name"):
+                row.active = heeded
+                of_groups = getattr(pen, name.removesuffix("_name")) == "VERTEX_GROUP"
+                draw_painted(row, pen, name, bpy.context.object, of_groups)
+                continue
+            draw_properties(row, pen, (name,), heeded)
             if name == "width":
                 chosen = row.operator_menu_enum("fovea.pen_width", "width", text="", icon="DOWNARROW_HLT")
                 chosen.pen = pen.path_from_id()
@@ -86,6 +98,17 @@ def draw_pen(layout, pen, most=None):
             if declared["group"] == group:
                 _draw_curve_of_pen(body, pen, where, declared)
         body.separator()
+
+
+def draw_painted(layout, owner, name, obj, of_groups=False):
+    """Draws the name of what is painted, with a search among the attributes, or the vertex groups, of an object that is
+    a mesh."""
+    if obj is None or obj.type != "MESH":
+        layout.prop(owner, name)
+    elif of_groups:
+        layout.prop_search(owner, name, obj, "vertex_groups", icon="GROUP_VERTEX")
+    else:
+        layout.prop_search(owner, name, obj.data, "attributes", icon="GROUP_VCOL")
 
 
 def _draw_curve_of_pen(layout, pen, where, declared):

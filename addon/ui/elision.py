@@ -7,7 +7,7 @@ from .. import style
 from ..style import style_data
 from ..style.style_groups import plain_fields
 from . import thumbnails
-from .common import StylePanel, draw_properties, fold
+from .common import StylePanel, draw_painted, draw_properties, fold
 
 PICTURES = style.FOLDER  # beside the thumbnails of styles, which the same script draws
 PAINTED = "painted"  # the weight that has an effect only with a painted attribute
@@ -31,11 +31,11 @@ class RENDER_PT_fovea_elision(StylePanel, bpy.types.Panel):
             body.active = elision.enabled
             weights = [f["name"] for f in plain_fields(style.Elision) if f["group"] == "weights"]
             draw_properties(body, elision, [name for name in weights if name != PAINTED])
-            _draw_attribute(body, elision, "priority_attribute", context.object)
+            draw_painted(body, elision, "priority_attribute", context.object)
             draw_properties(body, elision, (PAINTED,), bool(elision.priority_attribute))
         if body := fold(layout, "elision_density", "Density"):
             body.active = elision.enabled
-            _draw_attribute(body, elision, "density_attribute", context.object)
+            draw_painted(body, elision, "density_attribute", context.object)
             body.prop(elision, "density_image")
 
 
@@ -48,11 +48,3 @@ def _draw_pictures(layout):
         name = column.row()
         name.alignment = "CENTER"
         name.label(text=word)
-
-
-def _draw_attribute(layout, elision, name, obj):
-    """Draws the name of an attribute, with a search among those of the active object if it is a mesh."""
-    if obj is not None and obj.type == "MESH":
-        layout.prop_search(elision, name, obj.data, "attributes", icon="GROUP_VCOL")
-    else:
-        layout.prop(elision, name)

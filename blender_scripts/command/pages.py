@@ -142,6 +142,18 @@ STROKES = {  # modifier along the stroke -> the pen of its picture, of a monkey
     | {"pen.distance_width": 0.8, "pen.distance_color": 1.0},
     "noise": {"pen.noise_length": 16.0, "pen.noise_width": 0.75},
 }
+PAINTED_SIZE = "420x315"
+_THIN = ("--style", "plain", "--lines", "smooth_contour,suggestive_contour,crease,border")
+PAINTED = {  # what pens take from surfaces -> its scene or model, and how that is drawn
+    "group": (
+        MONKEY[0],
+        Stage(
+            (*MONKEY[1], *_THIN),
+            {"pen.width": 24.0, "pen.paint_width": "VERTEX_GROUP", "pen.paint_width_name": "Paint"},
+        ),
+    ),
+    "material": ("demo", Stage(("--style", "pen_and_ink", "--without", "colors"), {"pen.paint_color": "MATERIAL"})),
+}
 TRANSFERS = {  # plot -> members of a style's Transfer
     "straight": {},
     "start_end": {"start": 0.25, "end": 0.75},
@@ -154,8 +166,8 @@ STEPS = ("1_engine", "2_rendered", "3_style", "4_focus", "5_pull")  # pictures o
 
 # Name -> {picture: its description}; each group is a folder of addon/docs.
 GROUPS = {
-    "lines": LINES, "sections": SECTIONS, "way": WAY, "focus": FOCUS, "strokes": STROKES, "situations": SITUATIONS,
-    "over": OVER, "transfers": TRANSFERS, "grease_pencil": GREASE_PENCIL,
+    "lines": LINES, "sections": SECTIONS, "way": WAY, "focus": FOCUS, "strokes": STROKES, "painted": PAINTED,
+    "situations": SITUATIONS, "over": OVER, "transfers": TRANSFERS, "grease_pencil": GREASE_PENCIL,
 }  # fmt: skip
 
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bindings/overrides.h"
+#include "bindings/records.h"
 
 namespace fovea::bindings {
 namespace {
@@ -25,10 +26,23 @@ void add_parameters(OwnLines& lines, const std::string& name, const ByParameter&
     }
 }
 
-OwningOverrides make_overrides(const Optional<float>& importance,
-                               const std::map<std::string, std::vector<Optional<float>>>& painted,
-                               std::vector<std::vector<std::string>> objects, std::vector<std::string> names,
-                               const Optional<Index>& of_placement, std::shared_ptr<ColorTexture> density_map,
+/// Arrays of all placements, by the source and the name of what is painted.
+template <typename T>
+using ByPaint = std::map<std::pair<std::string, std::string>, std::vector<Optional<T>>>;
+
+template <typename T>
+void add_painted(std::map<style::Paint, std::vector<In<T>>>& painted, const ByPaint<T>& given,
+                 std::vector<py::object>& owners) {
+    for (const auto& [paint, arrays] : given) {
+        const style::Paint known{value_from<style::PaintSource>(py::str(paint.first), "painted: source"), paint.second};
+        for (const auto& array : arrays) painted[known].push_back(kept<T>(array, "painted", owners));
+    }
+}
+
+OwningOverrides make_overrides(const Optional<float>& importance, const ByPaint<float>& painted,
+                               const ByPaint<vec3>& painted_colors, std::vector<std::vector<std::string>> objects,
+                               std::vector<std::string> names, const Optional<Index>& of_placement,
+                               std::shared_ptr<ColorTexture> density_map,
                                const std::vector<Optional<std::uint8_t>>& placements,
                                const std::vector<std::optional<MaterialFilter>>& materials,
                                const Optional<Kinds>& shown, const std::map<std::string, ByParameter>& parameters,
@@ -36,9 +50,8 @@ OwningOverrides make_overrides(const Optional<float>& importance,
     OwningOverrides made;
     Overrides& overrides = made.overrides;
     overrides.importance = kept<float>(importance, "importance", made.owners);
-    for (const auto& [attribute, arrays] : painted)
-        for (const auto& array : arrays)
-            overrides.painted[attribute].push_back(kept<float>(array, "painted", made.owners));
+    add_painted(overrides.painted, painted, made.owners);
+    add_painted(overrides.painted_colors, painted_colors, made.owners);
     check(names.empty() || names.size() == objects.size(), "names: one per entry of `objects` expected");
     overrides.objects = std::move(objects);
     overrides.names = std::move(names);
@@ -70,13 +83,15 @@ void bind_overrides(py::module_& m) {
              py::arg("mask_of_placement"), py::arg("masks"),
              "mask_of_placement (n,) uint32; masks: uint8 by the material's number, 0: its faces have no lines.");
     py::class_<OwningOverrides>(m, "Overrides", "What an artist has said of a scene's n placements.")
-        .def(py::init(&make_overrides), py::kw_only(), py::arg("importance") = py::none(),
-             py::arg("painted") = py::dict(), py::arg("objects") = py::list(), py::arg("names") = py::list(),
-             py::arg("objects_of_placement") = py::none(), py::arg("density_map") = py::none(),
-             py::arg("placements") = py::list(), py::arg("materials") = py::list(), py::arg("shown") = py::none(),
-             py::arg("parameters") = py::dict(), py::arg("lined") = py::none(),
-             R"(importance: (n,) float32 in [0, 1]; painted: {attribute: n arrays (C,) float32 at the mesh's corners, or
-None}; objects: lists of names, names: of each of these the object's own, for mattes, and objects_of_placement (n,)
+        .def(
+            py::init(&make_overrides), py::kw_only(), py::arg("importance") = py::none(),
+            py::arg("painted") = py::dict(), py::arg("painted_colors") = py::dict(), py::arg("objects") = py::list(),
+            py::arg("names") = py::list(), py::arg("objects_of_placement") = py::none(),
+            py::arg("density_map") = py::none(), py::arg("placements") = py::list(), py::arg("materials") = py::list(),
+            py::arg("shown") = py::none(), py::arg("parameters") = py::dict(), py::arg("lined") = py::none(),
+            R"(importance: (n,) float32 in [0, 1]; painted: {(source of a pen's paint, name): n arrays (K,) float32 at the
+mesh's K corners (its vertices if it has no faces), for K materials or, of objects, 1, or None}, painted_colors: the same
+(K, 3); objects: lists of names, names: of each of these the object's own, for mattes, and objects_of_placement (n,)
 uint32: the list of each; density_map: over the camera's
 frame. By line set: placements (n,) uint8 whose lines are for it, and materials whose faces' lines are, None: all. Of all
 sets: shown (n,) uint32 registry bits of what each placement shows, parameters {definition: {parameter: (n,) float64 that

@@ -104,11 +104,12 @@ def view_of(width=320, height=200, orthographic=False, eye=(5, -6, 2.5), near=0.
     return core.View(world_to_view, clip, width, height, orthographic, near, far)
 
 
-def frame_of(scene, view, line_style=None, *, backend=None, **options):
+def frame_of(scene, view, line_style=None, *, backend=None, notes=None, **options):
     """A Frame ready for a backend's `visibility`: its lines are found. By default they are those of pen_and_ink, with a
     sample at every pixel, which the segment atlas looks at once."""
     asked = pipeline.options(**{"visibility": "atlas", "probes": 1, "sample_step": 1.0, **options})
-    frame = pipeline.frame(scene, view, line_style or style.load("pen_and_ink"), backend or core.CpuBackend(), asked)
+    chosen = line_style or style.load("pen_and_ink")
+    frame = pipeline.frame(scene, view, chosen, backend or core.CpuBackend(), asked, notes=notes)
     frame.find()
     return frame
 

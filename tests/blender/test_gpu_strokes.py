@@ -26,10 +26,10 @@ def test_every_style(name):
         assert differs.mean() < 5e-4
 
 
-def on_both(scene, chosen):
+def on_both(scene, chosen, visibility="exact", **more):
     """(200, 320, 4) of a Frame's strokes in a Style by the gpu, how far they are from the cpu's at each pixel, and the
     strokes."""
-    frame = frame_of(scene, view_of(320, 200), chosen, visibility="exact")
+    frame = frame_of(scene, view_of(320, 200), chosen, visibility=visibility, **more)
     frame.ink()
     drawn = part("gpu.backend").Backend().draw(frame)
     return drawn, np.abs(drawn - core.CpuBackend().draw(frame)).max(axis=2), frame.strokes
@@ -119,6 +119,28 @@ def test_strokes_that_change_along_their_way(cause, away):
     assert np.ptp(strokes.mix[:, 2]) > 0.2 and max(np.ptp(strokes.half_width), 3 * np.ptp(strokes.opacity)) > 1
     assert off.mean() < 1e-3 and (off > 0.02).mean() < 1e-3
     assert drawn[..., 0].max() > 0.3 and drawn[..., 2].max() > 0.1
+
+
+@pytest.mark.parametrize("visibility", ["exact", "spine"])
+@pytest.mark.parametrize("away", [None, style.Pen(color=(0, 0.5, 0), width=5)])
+def test_strokes_with_what_is_painted(visibility, away):
+    """Numbers that vary over each thing, and a color of each of them."""
+    placed = room()
+    rng = np.random.default_rng(2)
+    corners = {"Box": 6 * 4, "Ball": 2 * 48 * 3 + 22 * 48 * 4}
+    names = [placed.surface(i).name for i in range(len(placed))]
+    numbers = [rng.uniform(size=corners[name]).astype(np.float32) for name in names]
+    colors = [rng.uniform(size=(1, 3)).astype(np.float32) for _ in range(len(placed))]
+    notes = core.Overrides(painted={("attribute", "a"): numbers}, painted_colors={("object", ""): colors})
+    paints = {"paint_width": "attribute", "paint_width_name": "a", "paint_color": "object"}
+    pen = style.Pen(color=(1, 0, 0), second_color=(0, 0, 1), width=9, **ALONG["nib"], **paints)
+    lines = style.LineSet(kinds={"crease": {}, "contour": {}}, least_length=0, pen=pen, pen_away=away)
+    look = style.Focus(model="image", points=(style.FocusPlace(at=(100 / 320, 0.5, 0.0), near=0.1, far=0.75),))
+    drawn, off, strokes = on_both(placed, style.Style(line_sets=(lines,), focus=look), visibility, notes=notes)
+    assert len(strokes.color) == len(strokes.px) and np.ptp(strokes.color, axis=0).min() > 0.3
+    assert np.ptp(strokes.half_width) > 1
+    assert off.mean() < 1e-3 and (off > 0.02).mean() < 2e-3
+    assert drawn[..., 1].max() > 0.3
 
 
 def test_no_strokes():

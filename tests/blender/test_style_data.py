@@ -39,6 +39,7 @@ def test_a_shipped_style_comes_out_as_it_went_in(scene, name):
 
 # Modifiers of a pen.
 ALONG = {"second_color": (0.5, 0.1, 0.3), "nib_angle": 30.0, "nib_width": 0.6, "nib_opacity": 0.2, "noise_length": 4.0}
+ALONG |= {"paint_width": "vertex_group", "paint_width_name": "Weight.001", "paint_color": "object"}
 ALONG |= {"distance_near": 3.0, "distance_far": 2.0, "distance_color": 0.5, "noise_width": 0.7, "noise_opacity": 0.1}
 
 

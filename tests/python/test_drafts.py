@@ -105,7 +105,9 @@ def dimmed(model, quality=None, effects=style.Effects(**DIMMED)):
         options, chosen = budget.coarser(options, quality), budget.simplified(chosen, quality)
         seen = seen.smaller(quality.scale)
     ball, cube = (sum(map(len, mesh.polygons)) for mesh in (sphere(24), box()))
-    painted = {"seen": [np.ones(ball, np.float32), np.zeros(cube, np.float32), np.zeros(2 * cube, np.float32)]}
+    painted = {
+        ("attribute", "seen"): [np.ones(ball, np.float32), np.zeros(cube, np.float32), np.zeros(2 * cube, np.float32)]
+    }
     sources = core.ColorSources([core.SurfaceColor([core.ColorSlot((0.8, 0.1, 0.1))])] * 3, [], (0, 0, 0))
     beside = {
         "colors": sources,

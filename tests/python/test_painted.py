@@ -46,6 +46,11 @@ OTHERS = {f["name"]: 0 for f in style.Elision.fields if f["group"] == "weights" 
         ({"focus": {"points": [{"object": ["Box"]}]}}, "focus.points[0].object must be text of at most 255 letters"),
         ({"elision": {"priority_attribute": None}}, "elision.priority_attribute must be text of at most 63 letters"),
         ({"elision": {"density_attribute": "\0"}}, "elision.density_attribute must be text of at most 63 letters"),
+        ({"line_sets": [{"pen": {"paint_width": "weight"}}]}, "line_sets[0].pen.paint_width is 'weight'; it can be:"),
+        (
+            {"line_sets": [{"pen": {"paint_color_name": "x" * 64}}]},
+            "paint_color_name must be text of at most 63 letters",
+        ),
         ({"elision": {"painted": 11}}, "elision.painted is 11, outside 0 to 10"),
         ({"elision": {"frames": 9}}, "elision.frames is 9, outside 0 to 8"),
         ({"elision": {"frames": 1.5}}, "elision.frames must be a whole number"),
@@ -59,6 +64,17 @@ def test_what_does_not_belong_is_named(parts, sentence):
     assert sentence in str(error.value)
 
 
+def test_paints_of_pens_survive():
+    paints = {"paint_width": "vertex_group", "paint_width_name": "Dicke", "paint_opacity": "object"}
+    pen = paints | {"paint_color": "attribute", "paint_color_name": "Farbe, alt"}
+    read = parsed(line_sets=[{"pen": pen, "pen_away": {"paint_width": "constant", "paint_color": "material"}}])
+    near, away = read.line_sets[0].pen, read.line_sets[0].pen_away
+    assert (near.paint_width, near.paint_width_name, near.paint_opacity) == ("vertex_group", "Dicke", "object")
+    assert (away.paint_width, away.paint_opacity, away.paint_color) == ("constant", "object", "material")
+    assert style.parse(style.dump(read)) == read
+
+
+SEEN = ("attribute", "seen")
 PEN = {"pen": {"width": 3}, "pen_away": {"width": 3, "opacity": 0.1}}
 
 
@@ -82,13 +98,15 @@ def of_placements(made):
 
 def test_each_placement_has_its_own_paint():
     look, quarter = {"model": "painted", "attribute": "seen"}, np.full(24, 0.25, np.float32)
-    made = drawn(look, painted={"seen": [quarter, None]})
+    made = drawn(look, painted={SEEN: [quarter, None]})
     np.testing.assert_array_equal(made.focus, np.where(of_placements(made) == 0, 0.75, 0.5).astype(np.float32))
     assert set(np.unique(made.focus_of_pixels())) >= {np.float32(0.5), np.float32(0.75), np.float32(1)}
     with pytest.raises(ValueError, match="one array per placement"):
-        drawn(look, painted={"seen": [quarter]})
+        drawn(look, painted={SEEN: [quarter]})
     with pytest.raises(ValueError, match="box: one painted value per corner"):
-        drawn(look, painted={"seen": [np.zeros(3, np.float32), None]})
+        drawn(look, painted={SEEN: [np.zeros(3, np.float32), None]})
+    with pytest.raises(ValueError, match="painted: source is 'weights'; it can be: constant, vertex_group, attribute"):
+        drawn(look, painted={("weights", "seen"): [quarter, None]})
 
 
 def test_focus_falls_off_from_the_surface_of_an_object():

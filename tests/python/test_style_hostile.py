@@ -124,6 +124,7 @@ def test_random_changes_are_read_or_refused_and_nothing_else():
 
 # Names of what is in a scene, which never become those of files.
 IN_SCENES = ("name", "object", "collection", "material", "attribute", "priority_attribute", "density_attribute")
+IN_SCENES += tuple(f"paint_{member}_name" for member in ("width", "opacity", "color"))
 
 
 @pytest.mark.parametrize("name", style.names())

@@ -9,8 +9,9 @@
 namespace fovea::color {
 namespace {
 
-/// Unlit gray with the painted values.
+/// Unlit gray with the painted values, of which a surface without polygons shows none.
 std::shared_ptr<const SurfaceColor> gray(const Surface& surface, In<float> values) {
+    if (surface.corner_count() == 0) values = {};
     auto color = std::make_shared<SurfaceColor>();
     ColorSlot slot;
     slot.color = vec3(values.empty() ? unpainted : 1.0f);

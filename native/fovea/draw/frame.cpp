@@ -161,6 +161,7 @@ void Frame::shape() {
         else
             std::tie(found, pen_of_run_) = outlined(found);
         drawn = std::make_shared<Runs>(std::move(found));
+        pen_paints_ = PenPaints(pens.pens, *paths, *job.scene, job.overrides);
         strokes = std::make_shared<Strokes>(strokes_with(shown));
     });
     done_ = Step::shape;
@@ -193,7 +194,9 @@ Emphasis Frame::emphasis(In<float> opacity) const {
 
 Inking Frame::inking(In<float> opacity) const {
     check(drawn != nullptr, "frame: its strokes are not made yet");
-    return {*clipped, *drawn, pen_of_run_, paths->strength, pens.pens, samples, emphasis(opacity), paths->id};
+    Inking made{*clipped, *drawn, pen_of_run_, paths->strength, pens.pens, samples, emphasis(opacity), paths->id};
+    made.paints = pen_paints_.of_pens();
+    return made;
 }
 
 Strokes Frame::strokes_with(In<float> opacity) const { return tessellate(inking(opacity)); }
@@ -236,7 +239,7 @@ std::string Frame::visibility_in_words() const {
 
 /// The painted attribute of that name; empty on all placements if there is none.
 Painted Frame::painted(const std::string& attribute) const {
-    const auto found = job.overrides.painted.find(attribute);
+    const auto found = job.overrides.painted.find({style::PaintSource::attribute, attribute});
     return found == job.overrides.painted.end() ? Painted(job.scene->placements.size()) : found->second;
 }
 

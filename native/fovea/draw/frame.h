@@ -16,6 +16,7 @@
 #include <fovea/draw/line_passes.h>
 #include <fovea/draw/options.h>
 #include <fovea/draw/overrides.h>
+#include <fovea/draw/pen_paints.h>
 #include <fovea/draw/pens.h>
 #include <fovea/elision/in_time.h>
 #include <fovea/focus/focus.h>
@@ -154,6 +155,7 @@ class Frame {
 
     Array<Index> pen_of_run_;
     std::shared_ptr<const FoundLines> found_;
+    PenPaints pen_paints_;
     Step done_ = Step::none;
     double share_ = 0.0;
     Array<float> depth_;

@@ -10,6 +10,7 @@
 #include <fovea/color/texture.h>
 #include <fovea/path/line_set.h>
 #include <fovea/path/painted.h>
+#include <fovea/style/paint.h>
 
 namespace fovea::draw {
 
@@ -17,8 +18,10 @@ namespace fovea::draw {
 struct Overrides {
     /// Priority in elision, in [0, 1]. Borrowed.
     In<float> importance;
-    /// Painted mesh attributes by name. Borrowed.
-    std::map<std::string, Painted> painted;
+    /// What is painted, as numbers and as colors. Those of materials are per material, those of objects per surface,
+    /// others per corner (PaintedOn). Borrowed.
+    std::map<style::Paint, Painted> painted;
+    std::map<style::Paint, PaintedColors> painted_colors;
     /// Not per placement: lists of names, of an object and of what instanced it.
     std::vector<std::vector<std::string>> objects;
     /// The name of each of these objects alone, for mattes; empty: nothing has a name.

@@ -94,8 +94,14 @@ struct ClippedPaths {
         return glm::mix(px[i], px[i + 1], float(share_at(i, arc)));
     }
     /// Per-point values of Paths, interpolated at a clipped point.
-    float at_point(In<float> values, Index point) const {
-        const float here = values[source[point]], t = source_t[point];
+    float at_point(In<float> values, Index point) const { return between_points(values, point); }
+    vec3 at_point(In<vec3> values, Index point) const { return between_points(values, point); }
+
+   private:
+    template <typename T>
+    T between_points(In<T> values, Index point) const {
+        const T here = values[source[point]];
+        const float t = source_t[point];
         // The last point of a path has no next point.
         return t > 0.0f ? glm::mix(here, values[source[point] + 1], t) : here;
     }

@@ -11,12 +11,13 @@
 namespace fovea::stroke {
 namespace {
 
-constexpr int curve_steps = 64;         // of a transfer function, which is linear between them
-constexpr double step_px = 0.6;         // half the length over which a step of a transfer function is drawn
-constexpr double depth_step_px = 16.0;  // px between knots of distance, which perspective bends
-constexpr double steps_per_wave = 6.0;  // of noise
-constexpr double straight = 0.9995;     // cosine of the largest bend that does not change a nib: 2 degrees
-constexpr std::uint64_t stream = 0xa1;  // noise of modifiers is not that of wobble
+constexpr int curve_steps = 64;             // of a transfer function, which is linear between them
+constexpr double step_px = 0.6;             // half the length over which a step of a transfer function is drawn
+constexpr double depth_step_px = 16.0;      // px between knots of distance, which perspective bends
+constexpr double steps_per_wave = 6.0;      // of noise
+constexpr float paint_step = 1.0f / 64.0f;  // largest change of what is painted between two knots
+constexpr double straight = 0.9995;         // cosine of the largest bend that does not change a nib: 2 degrees
+constexpr std::uint64_t stream = 0xa1;      // noise of modifiers is not that of wobble
 
 /// Position on a line at an arc length; beyond its ends that of the end, or around a closed line.
 dvec2 place(const CenterLine& line, bool closed, double arc) {
@@ -42,15 +43,32 @@ float left(float near, float away, float mix, float near_share, float away_share
     return whole > 0.0f ? glm::mix(near * (1.0f - near_share), away * (1.0f - away_share), mix) / whole : 0.0f;
 }
 
+/// Share in space of a segment's part before an arc length.
+double share_in_space_at(const ClippedPaths& clipped, Index segment, double arc) {
+    const double s = clipped.share_at(segment, arc);
+    if (clipped.orthographic) return s;
+    return share_in_space(s, -clipped.position_view[segment].z, -clipped.position_view[segment + 1].z);
+}
+
+/// Per-point values of Paths at an arc length, clamped to the piece; `otherwise` without values.
+template <typename T>
+T value_at(const Course& course, In<T> values, double arc, const T& otherwise) {
+    if (values.empty()) return otherwise;
+    const ClippedPaths& clipped = course.clipped;
+    const Index i = clipped.segment_at(course.piece, arc);
+    const float t = float(share_in_space_at(clipped, i, arc));
+    return glm::mix(clipped.at_point(values, i), clipped.at_point(values, i + 1), t);
+}
+
 }  // namespace
 
 double distance_at(const ClippedPaths& clipped, Index piece, double arc) {
     const Index i = clipped.segment_at(piece, arc);
-    const double s = clipped.share_at(i, arc), a = -clipped.position_view[i].z, b = -clipped.position_view[i + 1].z;
-    return glm::mix(a, b, clipped.orthographic ? s : share_in_space(s, a, b));
+    const double a = -clipped.position_view[i].z, b = -clipped.position_view[i + 1].z;
+    return glm::mix(a, b, share_in_space_at(clipped, i, arc));
 }
 
-Modifiers::Modifiers(const Pen& pen)
+Modifiers::Modifiers(const Pen& pen, const PenPaint& paint)
     : nib_{vec3(pen.look.nib_width, pen.look.nib_opacity, pen.look.nib_color)},
       distance_{vec3(pen.look.distance_width, pen.look.distance_opacity, pen.look.distance_color)},
       noise_{vec3(pen.look.noise_width, pen.look.noise_opacity, pen.look.noise_color)},
@@ -58,7 +76,9 @@ Modifiers::Modifiers(const Pen& pen)
       reach_px_(std::max(0.5 * pen.width_px, 1.0)),
       near_(pen.look.distance_near),
       far_(pen.look.distance_far),
-      wave_px_(pen.look.noise_length) {
+      wave_px_(pen.look.noise_length),
+      paint_(paint),
+      color_(pen.look.color) {
     const style::Transfer* const given[] = {&pen.look.along_width, &pen.look.along_opacity, &pen.look.along_color};
     for (int k = 0; k < 3; ++k) {
         transfers_[k] = transfer_of(*given[k]);
@@ -88,6 +108,32 @@ void Modifiers::add_knots(const CenterLine& line, const Course& course, std::vec
     };
     if (distance_.any) add_multiples(depth_step_px);
     if (noise_.any) add_multiples(std::max(wave_px_ / steps_per_wave, 1.0));
+    if (!paint_.any()) return;
+    const std::size_t before = arcs.size();
+    add_knots_of_paint(course, arcs);
+    // In perspective what is linear in space is not so in the image.
+    if (!course.clipped.orthographic && arcs.size() > before) add_multiples(depth_step_px);
+}
+
+/// The points of the piece at both sides of each change.
+void Modifiers::add_knots_of_paint(const Course& course, std::vector<double>& arcs) const {
+    const ClippedPaths& clipped = course.clipped;
+    const auto differs = [&](Index a, Index b) {
+        const auto far = [&](In<float> values) {
+            return !values.empty() && std::abs(clipped.at_point(values, a) - clipped.at_point(values, b)) > paint_step;
+        };
+        if (far(paint_.width) || far(paint_.opacity)) return true;
+        if (paint_.color.empty()) return false;
+        const vec3 change = glm::abs(clipped.at_point(paint_.color, a) - clipped.at_point(paint_.color, b));
+        return std::max({change.x, change.y, change.z}) > paint_step;
+    };
+    Index before = clipped.pieces.begin(course.piece);
+    for (Index i = before + 1; i < clipped.pieces.end(course.piece); ++i) {
+        if (!differs(before, i)) continue;
+        arcs.push_back(clipped.arc_px[i - 1]);
+        arcs.push_back(clipped.arc_px[i]);
+        before = i;
+    }
 }
 
 vec3 Modifiers::at(const CenterLine& line, const Course& course, double arc) const {
@@ -112,7 +158,16 @@ vec3 Modifiers::at(const CenterLine& line, const Course& course, double arc) con
         const double noise = 0.5 + 0.5 * two_octaves(arc / wave_px_, mixed(course.seed ^ stream));
         taken = focus::both(taken, noise_.share * float(noise));
     }
+    if (paint_.any()) {
+        const float width = value_at(course, paint_.width, arc, 1.0f);
+        const float opacity = value_at(course, paint_.opacity, arc, 1.0f);
+        taken = focus::both(taken, vec3(1.0f - width, 1.0f - opacity, 0.0f));
+    }
     return taken;
+}
+
+dvec3 Modifiers::color_at(const Course& course, double arc) const {
+    return paint_.color.empty() ? color_ : dvec3(value_at(course, paint_.color, arc, vec3(0.0f)));
 }
 
 void modify(CenterLine& line, const PenPair& pens, const Modifiers& in_focus, const Modifiers& out_of_focus,
@@ -131,6 +186,14 @@ void modify(CenterLine& line, const PenPair& pens, const Modifiers& in_focus, co
         thin(p, left(near_pen.width_px, away_pen.width_px, p.mix.z, near.x, away.x));
         p.opacity *= left(near_opacity, away_opacity, p.mix.w, near.y, away.y);
         p.tint = glm::mix(near.z, away.z, p.mix.x);
+    }
+}
+
+void color(CenterLine& line, const Modifiers& in_focus, const Modifiers& out_of_focus, const Course& course) {
+    for (CenterPoint& p : line) {
+        const dvec3 near = in_focus.color_at(course, p.arc);
+        p.color =
+            &in_focus == &out_of_focus ? near : glm::mix(near, out_of_focus.color_at(course, p.arc), double(p.mix.x));
     }
 }
 

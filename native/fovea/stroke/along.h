@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Modifiers along a stroke: how its place along its length, its direction, its distance from the camera and noise
-// change its width, opacity and color.
+// Modifiers along a stroke: how its place along its length, its direction, its distance from the camera, noise and what
+// is painted on surfaces change its width, opacity and color.
 #pragma once
 
 #include <fovea/focus/transfer.h>
@@ -23,16 +23,20 @@ struct Course {
 /// - nib: 1 - |sin| of the angle in the image between the stroke's direction and the nib, 1 along the nib;
 /// - distance: that along the view axis, from near (0) to far (1), which may be the nearer one;
 /// - noise: smooth noise of the arc length over the whole path, fixed to it.
+/// What is painted takes away the rest of width and opacity to what they are multiplied by, and changes the first
+/// color.
 class Modifiers {
    public:
-    explicit Modifiers(const Pen& pen);
+    explicit Modifiers(const Pen& pen, const PenPaint& paint = {});
 
     /// Whether strokes change at all.
-    bool any() const { return along_ || nib_.any || distance_.any || noise_.any; }
+    bool any() const { return along_ || nib_.any || distance_.any || noise_.any || paint_.any(); }
     /// Appends the arc lengths between which changes of this line are linear.
     void add_knots(const CenterLine& line, const Course& course, std::vector<double>& arcs) const;
     /// (width, opacity, color) taken at a point, each in [0,1].
     vec3 at(const CenterLine& line, const Course& course, double arc) const;
+    /// The first color.
+    dvec3 color_at(const Course& course, double arc) const;
 
    private:
     /// A cause that acts by fixed fractions.
@@ -41,12 +45,16 @@ class Modifiers {
         bool any = share != vec3(0.0f);
     };
 
+    void add_knots_of_paint(const Course& course, std::vector<double>& arcs) const;
+
     std::array<Transfer, 3> transfers_;
     std::vector<double> places_;  // knots along the stroke, as fractions of it
     bool along_;
     Cause nib_, distance_, noise_;
     dvec2 nib_direction_;
     double reach_px_, near_, far_, wave_px_;
+    PenPaint paint_;
+    dvec3 color_;
 };
 
 /// Distance from the camera along the view axis at an arc length of a piece, clamped to its ends.
@@ -56,5 +64,8 @@ double distance_at(const ClippedPaths& clipped, Index piece, double arc);
 /// opacities and colors are. Lines of pens without modifiers stay as they are.
 void modify(CenterLine& line, const PenPair& pens, const Modifiers& in_focus, const Modifiers& out_of_focus,
             const Course& course);
+
+/// Sets the colors of a line's points, as `modify` has mixed them.
+void color(CenterLine& line, const Modifiers& in_focus, const Modifiers& out_of_focus, const Course& course);
 
 }  // namespace fovea::stroke

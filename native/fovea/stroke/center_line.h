@@ -23,6 +23,8 @@ struct CenterPoint {
     float tint = 0.0f;
     /// Width of the pen as a fraction of the drawn width; below 1 where the pen is thinner than a pixel.
     float thinness = 1.0f;
+    /// Color without the second one, scene-linear; set last (along.h).
+    dvec3 color{0.0};
 };
 
 using CenterLine = std::vector<CenterPoint>;

@@ -15,7 +15,7 @@ constexpr double whole_error = 1e-3;  // px: tolerance for a run that covers its
 
 /// The pens of runs, and the places of strength.
 void check_pens(const Inking& inking) {
-    const auto& [clipped, runs, pen_of_run, strength, pens, visibility, emphasis, ids, tolerance] = inking;
+    const auto& [clipped, runs, pen_of_run, strength, pens, visibility, emphasis, ids, tolerance, paints] = inking;
     const std::size_t count = runs.size();
     check(runs.start_px.size() == count && runs.end_px.size() == count && runs.invisibility.size() == count,
           "runs: piece, start_px, end_px and invisibility must have the same length");
@@ -29,11 +29,20 @@ void check_pens(const Inking& inking) {
     for (const Pen& p : pens)
         check(p.away == none || p.away < pens.size(),
               "pen: there is no pen " + std::to_string(p.away) + " out of focus");
-    if (strength.empty()) return;
-    std::size_t source = 0;
+    check(paints.empty() || paints.size() == pens.size(), "paints: one per pen expected");
+    std::size_t points = 0;
     for (std::size_t i = 0; i < clipped.source.size(); ++i)
-        source = std::max<std::size_t>(source, clipped.source[i] + std::size_t(clipped.source_t[i] > 0.0f));
-    check(clipped.source.empty() || source < strength.size(), "strength: no entry for point " + std::to_string(source));
+        points = std::max<std::size_t>(points, clipped.source[i] + 1 + std::size_t(clipped.source_t[i] > 0.0f));
+    const std::string missing = ": no entry for point " + std::to_string(points - 1);
+    const auto check_values = [&](const auto& values, const char* name) {
+        check(values.empty() || points <= values.size(), name + missing);
+    };
+    check_values(strength, "strength");
+    for (const PenPaint& paint : paints) {
+        check_values(paint.width, "paint of width");
+        check_values(paint.opacity, "paint of opacity");
+        check_values(paint.color, "paint of color");
+    }
 }
 
 }  // namespace
@@ -48,8 +57,13 @@ void check_inking(const Inking& inking) {
           "visibility: one value per atlas sample expected");
 }
 
+LineShaper::LineShaper(const Inking& inking) : inking_(inking) {
+    for (std::size_t i = 0; i < inking.pens.size(); ++i)
+        modifiers_.emplace_back(inking.pens[i], inking.paints.empty() ? PenPaint() : inking.paints[i]);
+}
+
 bool LineShaper::shape(Index run, DrawnLine& out) const {
-    const auto& [clipped, runs, pen_of_run, strength, pens, visibility, emphasis, ids, tolerance] = inking_;
+    const auto& [clipped, runs, pen_of_run, strength, pens, visibility, emphasis, ids, tolerance, paints] = inking_;
     CenterLine& line = out.points;
     const Index piece = runs.piece[run], pen = pen_of_run[run];
     if (clipped.pieces.size(piece) < 2) return false;
@@ -78,8 +92,10 @@ bool LineShaper::shape(Index run, DrawnLine& out) const {
     const PenPair pair{pens[pen], pens[away]};
     stroke::shape(line, pair, {(free & free_start) && from_first, (free & free_end) && to_last});
     press(line, float(look.pressure));
-    modify(line, pair, modifiers_[pen], modifiers_[away], {clipped, piece, out.closed, seed});
+    const Course course{clipped, piece, out.closed, seed};
+    modify(line, pair, modifiers_[pen], modifiers_[away], course);
     fade_ends(line, fade);
+    color(line, modifiers_[pen], modifiers_[away], course);
     return line.size() >= 2;
 }
 

@@ -20,6 +20,7 @@ struct Inking {
     Emphasis emphasis = {};      ///< mixes each pen with its out-of-focus pen, and fades elided lines
     In<std::uint64_t> ids = {};  ///< per path of Paths, seed of its wobble and noise; empty: the path's number
     double tolerance_px = 0.1;   ///< of what is drawn beside the run, as `simplify` takes it
+    In<PenPaint> paints = {};    ///< one per pen; empty: none takes anything of surfaces
 };
 
 /// Throws std::invalid_argument where arrays do not fit together.
@@ -35,7 +36,7 @@ struct DrawnLine {
 class LineShaper {
    public:
     /// `inking` must be checked, and outlive this.
-    explicit LineShaper(const Inking& inking) : inking_(inking), modifiers_(inking.pens.begin(), inking.pens.end()) {}
+    explicit LineShaper(const Inking& inking);
 
     /// Shapes a run that has a pen. False for one without length in pixels, of which nothing is drawn.
     bool shape(Index run, DrawnLine& out) const;

@@ -47,6 +47,8 @@ class Fragments {
         const Pen& pen = pens_[strokes_.pen[c[0]]];
         const Index away = pen.away;
         const Pen& other = away == none ? pen : pens_[away];
+        const bool colored = !strokes_.color.empty();
+        const OverTriangle<3> colors(shape, color(c[0]), color(c[1]), color(c[2]));
         const bool tinted = strokes_.mix[c[0]].z + strokes_.mix[c[1]].z + strokes_.mix[c[2]].z > 0.0f;
         for (int y = box.y0; y < box.y1; ++y) {
             int x0 = box.x0, x1 = box.x1;
@@ -57,7 +59,10 @@ class Fragments {
                 if (alpha <= 0.0f) continue;
                 const vec3 mix = away == none && !tinted ? vec3(0.0f) : mixes.at(x, y);
                 vec3 color(pen.look.color);
-                if (away != none) color = glm::mix(color, vec3(other.look.color), mix.x);
+                if (colored)
+                    color = colors.at(x, y);
+                else if (away != none)
+                    color = glm::mix(color, vec3(other.look.color), mix.x);
                 if (tinted) {
                     const vec3 second(pen.look.second_color), second_away(other.look.second_color);
                     color = glm::mix(color, glm::mix(second, second_away, mix.x), mix.z);
@@ -81,6 +86,8 @@ class Fragments {
     dvec4 corner(Index i) const {
         return {strokes_.arc[i].x, strokes_.arc[i].y, strokes_.half_width[i], strokes_.opacity[i]};
     }
+
+    dvec3 color(Index i) const { return strokes_.color.empty() ? dvec3(0.0) : dvec3(strokes_.color[i]); }
 
     /// Pixels of the depth buffer's core, whose bounds lie between pixels, or beyond the image.
     PixelBox core() const {

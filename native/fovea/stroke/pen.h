@@ -29,4 +29,13 @@ struct Pen {
     Index away = none;
 };
 
+/// What is painted where a pen draws, per point of Paths: what its width and its opacity are multiplied by, each in
+/// [0, 1], and its color in place of its own. Empty: not painted. Borrowed.
+struct PenPaint {
+    In<float> width = {}, opacity = {};
+    In<vec3> color = {};
+
+    bool any() const { return !width.empty() || !opacity.empty() || !color.empty(); }
+};
+
 }  // namespace fovea::stroke

@@ -142,13 +142,13 @@ class Strip {
         const CenterPoint &p = line_[g.first], &q = line_[g.last];
         const bool merged = g.first != g.last, start = g.first == 0, end = g.last + 1 == size_;
         const dvec2 a = into(g.first), b = out_of(g.last);
-        const CenterPoint mean{p.px,
-                               0.5 * (p.arc + q.arc),
-                               0.5f * (p.half_width + q.half_width),
-                               0.5f * (p.opacity + q.opacity),
-                               0.5f * (p.mix + q.mix),
-                               1.0f,
-                               0.5f * (p.tint + q.tint)};
+        const CenterPoint mean{.px = p.px,
+                               .arc = 0.5 * (p.arc + q.arc),
+                               .half_width = 0.5f * (p.half_width + q.half_width),
+                               .opacity = 0.5f * (p.opacity + q.opacity),
+                               .mix = 0.5f * (p.mix + q.mix),
+                               .tint = 0.5f * (p.tint + q.tint),
+                               .color = 0.5 * (p.color + q.color)};
         const CenterPoint& middle = merged && start ? p : merged && end ? q : mean;
         Corners split;
         if (glm::dot(a, b) > stretch_limit || (merged && (start || end))) {
@@ -189,6 +189,7 @@ class Strip {
         out_.mix.push_back({p.mix.x, p.mix.y, p.tint});
         out_.path_px.push_back(ends_.path_px);
         out_.pen.push_back(ends_.pen);
+        if (ends_.colored) out_.color.push_back(vec3(p.color));
         return Index(out_.px.size()) - 1;
     }
 

@@ -17,6 +17,8 @@ struct StripEnds {
     /// Length of the whole path [px].
     float path_px;
     Index pen;
+    /// Whether the strip's vertices have colors.
+    bool colored;
 };
 
 /// Appends the strip around `line` (at least two points, neighbors not coincident), half a pixel wider than its width.

@@ -17,6 +17,7 @@ struct Strokes {
     Array<vec3> mix;
     Array<float> path_px;
     Array<Index> pen, piece;
+    Array<vec3> color;
 
     static constexpr std::tuple vertex_columns{
         Column{"px", &Strokes::px, "(V, 2) float32 corner of the strip, pixels"},
@@ -36,7 +37,10 @@ struct Strokes {
         Column{"pen", &Strokes::pen, "(V,) uint32 index of the pen in focus, the same all over a stroke"},
         Column{"piece", &Strokes::piece,
                "(V,) uint32 piece of ClippedPaths that it belongs to; only the spine test asks, and it may be empty "
-               "otherwise"}};
+               "otherwise"},
+        Column{"color", &Strokes::color,
+               "(V, 3) float32 scene-linear color before the second one, where a pen takes it from surfaces; else it "
+               "is empty, and colors are those of the pens"}};
 
     /// Vertices of each triangle, in either winding, in drawing order: stroke by stroke, along each stroke.
     Array<glm::uvec3> triangles;

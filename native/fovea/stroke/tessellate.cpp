@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fovea/stroke/tessellate.h>
 
+#include <algorithm>
 #include <limits>
 
 #include <fovea/stroke/drawn_line.h>
@@ -34,6 +35,7 @@ Strokes tessellate(const Inking& inking) {
     check_inking(inking);
     const Array<Index> order = drawing_order(inking.runs, inking.pen_of_run);
     const LineShaper shaper(inking);
+    const bool colored = std::ranges::any_of(inking.paints, [](const PenPaint& p) { return !p.color.empty(); });
     auto parts =
         parallel_parts<Strokes>(order.size(), block_size, [&](Strokes& out, std::size_t begin, std::size_t end) {
             DrawnLine drawn;
@@ -45,7 +47,7 @@ Strokes tessellate(const Inking& inking) {
                                       drawn.closed ? endless : float(line.back().arc)};
                 if (!drawn.closed) extend(line, inking.pens[pen].look.cap);
                 const float path_px = float(inking.clipped.path_length_px[piece]);
-                add_strip(line, drawn.closed, {ends[0], ends[1], path_px, pen}, out);
+                add_strip(line, drawn.closed, {ends[0], ends[1], path_px, pen, colored}, out);
                 out.piece.resize(out.px.size(), piece);
                 ++out.count;
             }
@@ -54,6 +56,7 @@ Strokes tessellate(const Inking& inking) {
     for (const Strokes& part : parts) count += part.count;
     Strokes all = join_strips(parts, "strokes");
     all.count = count;
+    if (!colored) all.color = {};
     return all;
 }
 

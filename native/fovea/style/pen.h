@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include <fovea/style/paint.h>
 #include <fovea/style/transfer.h>
 
 namespace fovea::style {
@@ -59,11 +60,16 @@ struct Pen {
     double distance_width = 0.0, distance_opacity = 0.0, distance_color = 0.0;
     double noise_length = 10.0;
     double noise_width = 0.0, noise_opacity = 0.0, noise_color = 0.0;
+    /// What is painted on surfaces: width and opacity are multiplied by it, the color is replaced.
+    PaintSource paint_width = PaintSource::constant, paint_opacity = PaintSource::constant,
+                paint_color = PaintSource::constant;
+    std::string paint_width_name, paint_opacity_name, paint_color_name;
 
     bool operator==(const Pen&) const = default;
 
     static constexpr const char *ink = "ink", *breadth = "breadth", *grain = "grain", *ends = "ends", *hand = "hand",
-                                *along = "along", *nib = "nib", *distance = "distance", *noise = "noise";
+                                *along = "along", *nib = "nib", *distance = "distance", *noise = "noise",
+                                *paint = "paint";
     static constexpr std::tuple fields{
         Field{"color", &Pen::color, "Color", "Color of the strokes", light, ink},
         Field{"opacity", &Pen::opacity, "Opacity", "How much of what lies below the strokes cover", share, ink},
@@ -132,7 +138,31 @@ struct Pen {
         Field{"noise_opacity", &Pen::noise_opacity, "Opacity", "How much fainter noise makes strokes at most", share,
               noise},
         Field{"noise_color", &Pen::noise_color, "Color", "How much of the second color noise gives strokes at most",
-              share, noise}};
+              share, noise},
+        Field{"paint_width",
+              &Pen::paint_width,
+              "Width",
+              "Where on surfaces it is read how wide strokes are: 1 or white as the pen says, 0 or black not at all",
+              {},
+              paint},
+        Field{"paint_width_name", &Pen::paint_width_name, "Name", "Name of the vertex group or attribute",
+              naming(Names::attribute), paint},
+        Field{"paint_opacity",
+              &Pen::paint_opacity,
+              "Opacity",
+              "Where on surfaces it is read how opaque strokes are: 1 or white as the pen says, 0 or black not at all",
+              {},
+              paint},
+        Field{"paint_opacity_name", &Pen::paint_opacity_name, "Name", "Name of the vertex group or attribute",
+              naming(Names::attribute), paint},
+        Field{"paint_color",
+              &Pen::paint_color,
+              "Color",
+              "Where on surfaces the color of strokes is read, in place of the pen's",
+              {},
+              paint},
+        Field{"paint_color_name", &Pen::paint_color_name, "Name", "Name of the vertex group or attribute",
+              naming(Names::attribute), paint}};
 };
 
 }  // namespace fovea::style

@@ -53,11 +53,10 @@ class Writer {
         const ClippedPaths& clipped = *frame_.clipped;
         const style::Pen &near = near_->look, &away = away_->look;
         const double mix = p.mix.x;
-        const dvec3 color = glm::mix(near.color, away.color, mix);
         const dvec3 second = glm::mix(near.second_color, away.second_color, mix);
         const double distance = stroke::distance_at(clipped, piece_, p.arc);
         out_.position_view.push_back(vec3(base::from_pixels(frame_.job.view, clip_to_view_, p.px, distance)));
-        out_.color.push_back(vec3(glm::mix(color, second, double(p.tint))));
+        out_.color.push_back(vec3(glm::mix(p.color, second, double(p.tint))));
         out_.width_px.push_back(float(2.0 * p.half_width * p.thinness * grain_->width));
         out_.opacity.push_back(opacity_of(p));
         const Index segment = clipped.segment_at(piece_, p.arc);

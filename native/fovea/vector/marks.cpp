@@ -30,7 +30,7 @@ dvec4 ink_of(const CenterPoint& p, const Pen& pen, const Pen& away, double densi
     const style::Pen &near = pen.look, &far = away.look;
     const double mix = p.mix.x;
     const dvec3 second = glm::mix(near.second_color, far.second_color, mix);
-    const dvec3 color = glm::mix(glm::mix(near.color, far.color, mix), second, double(p.tint));
+    const dvec3 color = glm::mix(p.color, second, double(p.tint));
     const double opacity = density * p.opacity / std::max(p.thinness, 1e-6f);
     return {color::displayed(color), color::displayed_opacity(opacity, color, paper)};
 }

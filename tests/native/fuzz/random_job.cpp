@@ -138,10 +138,11 @@ void override_some(Choices& choices, OwningJob& made) {
         return kept;
     };
     if (choices.chance(0.2)) job.overrides.importance = values(placements.size());
+    const style::Paint paint{style::PaintSource::attribute, "paint"};
     if (choices.chance(0.4))
         for (const Placement& placement : placements)
-            job.overrides.painted["paint"].push_back(choices.chance(0.5) ? values(placement.surface->corner_count())
-                                                                         : In<float>());
+            job.overrides.painted[paint].push_back(choices.chance(0.5) ? values(placement.surface->corner_count())
+                                                                       : In<float>());
     if (choices.chance(0.3))
         for (const Placement& placement : placements) job.overrides.objects.push_back({placement.surface->name()});
     if (choices.chance(0.2)) {
