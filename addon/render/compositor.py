@@ -92,6 +92,13 @@ def rendered(tree, scene, layer=None):
     return made
 
 
+def picture_of(tree, scene, layer):
+    """The socket by which a tree shows the picture of a scene's view layer: one that is linked, if any; or None."""
+    nodes = [node for node in tree.nodes if node.type == "R_LAYERS" and node.layer == layer.name and not node.mute]
+    of_scene = [node.outputs["Image"] for node in nodes if node.scene == scene or (not GROUPS and node.scene is None)]
+    return next((socket for socket in of_scene if socket.is_linked), next(iter(of_scene), None))
+
+
 def alpha_over(tree, below, above, factor=1.0):
     """The picture that a new Alpha Over node makes of premultiplied ones. Each is a socket or a value."""
     node = tree.nodes.new("CompositorNodeAlphaOver")
