@@ -85,7 +85,7 @@ def follow(lines):
         setattr(owner, name, value)
     if layer := layer_of(lines):
         _share(lines.collection, lines.fovea.lines_of.collection)
-        _agree(lines.view_layers[0].layer_collection, layer.layer_collection)
+        _agree(_collections(lines.view_layers[0]), _collections(layer))
 
 
 def _share(own, others):
@@ -98,6 +98,12 @@ def _share(own, others):
         for each in wanted if wants - had else ():
             if each not in had:
                 mine.link(each)
+
+
+def _collections(layer):
+    """What a view layer says of its scene's collections, as these are now."""
+    _ = layer.objects.active  # makes Blender look at them
+    return layer.layer_collection
 
 
 def _agree(own, other):

@@ -6,7 +6,7 @@ import subprocess
 import bpy
 import numpy as np
 import pytest
-from photographs import AWAY, ENGINES, FOCAL, MIDDLE, RADIUS
+from photographs import AWAY, EEVEE, ENGINES, FOCAL, MIDDLE, RADIUS
 from photographs import edge, lines_over, middle, outlines, parts, photograph, profile, with_lines
 from pictures import drawn, pixels_of
 from the_addon import box_mesh, fovea, new_object, part
@@ -25,7 +25,9 @@ def cycles():
     return photograph("CYCLES")
 
 
-def test_lines_and_photograph_lie_where_the_closed_form_has_the_outlines(scene, tmp_path):
+@pytest.mark.parametrize("engine", (*ENGINES, EEVEE))
+def test_lines_and_photograph_lie_where_the_closed_form_has_the_outlines(engine, tmp_path):
+    scene = photograph(engine)
     photo, _ = parts(drawn(scene, tmp_path / "photo.png"))
     assert bpy.ops.fovea.lines_over() == {"FINISHED"}
     lines = with_lines(scene, tmp_path / "both.png")
@@ -270,6 +272,29 @@ def test_lines_that_cannot_be_drawn_leave_the_photograph_and_are_told(cycles, tm
     assert with_lines(cycles, tmp_path / "both.png").max() > 0.9 and lines_scenes.failure(cycles) is None
 
 
+def test_farms_get_no_frame_that_lacks_its_lines(cycles, tmp_path, monkeypatch):
+    whole = part("render.whole_frames")
+    monkeypatch.setattr(whole, "exits", False)
+    whole.switch_on()
+    try:
+        cycles.cycles.samples, cycles.camera.data.type = 1, "PANO"
+        bpy.ops.fovea.lines_over()
+        render_a_frame(cycles, tmp_path)
+        (sentence,) = whole.failures
+        assert "Frame 1 has no lines over it and is not kept: Camera 'Camera' is panoramic" in sentence
+        assert not list(tmp_path.glob("*.png"))
+    finally:
+        whole.unregister()
+        whole.failures.clear(), whole.finished.clear()
+
+
+def render_a_frame(scene, folder):
+    scene.frame_start = scene.frame_end = 1
+    scene.render.filepath = str(folder / "frame_####")
+    scene.render.image_settings.file_format = "PNG"
+    bpy.ops.render.render(animation=True)
+
+
 def test_lines_stay_after_the_file_is_reloaded_and_the_scene_renamed(cycles, tmp_path):
     before = both(cycles, tmp_path / "before.png")
     bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "scene.blend"))
@@ -360,7 +385,7 @@ def test_each_view_layer_has_lines_over_its_own_picture_and_may_have_none(cycles
     assert not lines_over.is_on(cycles) and not lines_scenes.all_of(cycles)
     of_layer(second)
     inside, outline, again = in_parts(with_lines(cycles, tmp_path / "second.png"))
-    assert inside == 0 and outline < 60 and again == pytest.approx(beside, rel=0.05)
+    assert inside == 0 and outline < 120 and again == pytest.approx(beside, rel=0.05)
     assert bpy.ops.fovea.lines_over_remove() == {"FINISHED"}
     assert with_lines(cycles, tmp_path / "none.png").max() == 0 and len(bpy.data.scenes) == 1
 
