@@ -49,7 +49,7 @@ def photograph(engine):
         scene.cycles.use_adaptive_sampling, scene.cycles.filter_width = False, 0.01
         scene.cycles.pixel_filter_type = "BOX"
     if engine == EEVEE:
-        scene.eevee.taa_render_samples, scene.eevee.use_shadows, render.filter_size = 16, False, 0.01
+        scene.eevee.taa_render_samples, scene.eevee.use_shadows, render.filter_size = 16, False, 1.0
     scene.display.shading.light, scene.display.shading.color_type = "FLAT", "MATERIAL"
     scene.display.render_aa = "32"
     red_lines(scene)
