@@ -36,11 +36,10 @@ class Picture:
             batch.draw(programs.bind("magnify", {"picture": self._texture}))
         gpu.state.blend_set("NONE")
 
-
     def show_over(self, programs, width, height, moved, inside, opacity):
-        """Draws it over what another engine shows in a region of width x height pixels. Blender's overlays are stored as
-        sRGB, after the view transform: colors of lines are those of their pens. `inside`: (left, bottom, right, top) in
-        pixels of where it is drawn. `programs` and `moved`: as for `show`."""
+        """Draws it over what another engine shows in a region of width x height pixels. Blender stores overlays as sRGB
+        and lays them over the picture after its view transform: colors of lines are those of their pens. `inside`:
+        (left, bottom, right, top) in pixels of where it is drawn. `programs` and `moved`: as for `show`."""
         corners, places = moved or _WHOLE
         batch = triangles({"corner": corners, "place": places})
         before = gpu.state.depth_test_get()

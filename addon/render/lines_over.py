@@ -5,7 +5,6 @@ the picture. Nodes carry a mark, so that they are found whatever they are called
 import bpy
 
 from ..scene import followed
-from ..scene.operator import Operator
 from ..scene.problem import CannotDraw
 from . import compositor, lines_group, lines_scenes
 
@@ -43,7 +42,8 @@ def is_on(scene):
 
 def _over(scene):
     """The node that lays lines over a scene's picture, or those of a scene that draws lines; None."""
-    return node(scene.fovea.lines_of, OVER, lines_scenes.layer_of(scene)) if followed.follows(scene) else node(scene, OVER)
+    layer = lines_scenes.layer_of(scene) if followed.follows(scene) else None
+    return node(followed.of(scene), OVER, layer)
 
 
 def blend(settings):
@@ -60,13 +60,18 @@ def set_blend(settings, index):
 
 def shown_layers(scene):
     """The rendered view layers of which a scene's compositor shows a picture."""
+    return [layer for layer in scene.view_layers if layer.use and _picture_of(scene, layer)]
+
+
+def _picture_of(scene, layer):
+    """The socket by which a scene's compositor shows a view layer, or None."""
     tree = compositor.tree(scene)
-    return [layer for layer in scene.view_layers if layer.use and tree and compositor.picture_of(tree, scene, layer)]
+    return compositor.picture_of(tree, scene, layer) if tree else None
 
 
 def put_all(scene):
-    """Lays lines over a scene's renders: over the whole picture, or where the compositor shows several view layers, over
-    that of each. CannotDraw if that cannot be."""
+    """Lays lines over a scene's renders: over the whole picture, or where the compositor shows several view layers,
+    over that of each. CannotDraw if that cannot be."""
     layers = shown_layers(scene)
     for layer in layers if len(layers) > 1 else [None]:
         put(scene, layer)
@@ -75,7 +80,7 @@ def put_all(scene):
 def put(scene, layer=None):
     """Lays lines over the picture of a scene or of one of its view layers, or repairs what does. CannotDraw if that
     cannot be."""
-    if layer and layer not in shown_layers(scene):
+    if layer and not _picture_of(scene, layer):
         raise CannotDraw(f"The compositor shows no picture of '{layer.name}': add a Render Layers node of it first")
     tree = _own_tree(scene)
     lines = lines_scenes.of(scene, layer) or lines_scenes.make(scene, layer)
@@ -125,7 +130,7 @@ def _link(tree, scene, layer, over, shown):
     picture = over.inputs["Image"]
     before = picture.links[0].from_socket if picture.is_linked else None
     if layer:
-        before = before or compositor.picture_of(tree, scene, layer)
+        before = before or _picture_of(scene, layer)
         after = [link.to_socket for link in before.links if link.to_node != over]
         beside = before.node.location.x + 350, before.node.location.y
     else:
@@ -190,76 +195,3 @@ def _remove_strays(scene):
         if lost[MARK] == OVER + OF_LAYER:
             _bypass(tree, lost)
         tree.nodes.remove(lost)
-
-
-class _OfPicture(Operator):
-    """One that changes what lies over the renders of the context's scene."""
-
-    @classmethod
-    def hindrance(cls, context):
-        scene = context.scene
-        if scene is None or scene.library or scene.override_library:
-            return "The scene is linked from another file: make it local first"
-        if followed.follows(scene):
-            return f"This scene draws the lines of '{scene.fovea.lines_of.name}': go to that one"
-        if scene.render.engine == lines_scenes.ENGINE:
-            return "Fovea draws the whole picture: choose another render engine"
-        return cls.hindrance_of(scene)
-
-
-class FOVEA_OT_lines_over(_OfPicture, bpy.types.Operator):
-    """Draw Fovea's lines over what this engine renders, in every render and animation. It adds a scene that draws the
-    lines, and nodes to the compositor"""
-
-    bl_idname, bl_label = "fovea.lines_over", "Draw Lines Over Renders"
-
-    @staticmethod
-    def hindrance_of(scene):
-        return "Lines are drawn over the renders already" if is_on(scene) else None
-
-    def act(self, context):
-        put_all(context.scene)
-
-
-class FOVEA_OT_lines_over_remove(_OfPicture, bpy.types.Operator):
-    """Draw no lines over the renders any more: remove the scene that draws them and its nodes"""
-
-    bl_idname, bl_label = "fovea.lines_over_remove", "Remove Lines Over Renders"
-
-    @staticmethod
-    def hindrance_of(scene):
-        return None if is_on(scene) else "No lines are drawn over the renders"
-
-    def act(self, context):
-        remove(context.scene)
-
-
-class FOVEA_OT_lines_over_repair(_OfPicture, bpy.types.Operator):
-    """Put back what the lines over the renders need and what has been removed, switched off or changed"""
-
-    bl_idname, bl_label = "fovea.lines_over_repair", "Repair Lines Over Renders"
-    hindrance_of = FOVEA_OT_lines_over_remove.hindrance_of
-
-    def act(self, context):
-        repair(context.scene)
-
-
-class FOVEA_OT_lines_over_layer(_OfPicture, bpy.types.Operator):
-    """Draw Fovea's lines of this view layer over its picture, below what the compositor lays over that, or draw them no
-    longer"""
-
-    bl_idname, bl_label = "fovea.lines_over_layer", "Draw Lines Over This View Layer"
-
-    @staticmethod
-    def hindrance_of(scene):
-        whole = lines_scenes.of(scene) is not None and len(shown_layers(scene)) < 2
-        return "The lines lie over the whole picture: Fovea Lines in the render tab" if whole else None
-
-    def act(self, context):
-        scene, layer = context.scene, context.view_layer
-        if lines_scenes.of(scene, layer):
-            remove_from(scene, layer)
-        else:
-            if None in places(scene):
-                remove_from(scene)  # these would lie over those
-            put(scene, layer)

@@ -6,8 +6,22 @@ import subprocess
 import bpy
 import numpy as np
 import pytest
-from photographs import AWAY, EEVEE, ENGINES, FOCAL, MIDDLE, RADIUS
-from photographs import edge, lines_over, middle, outlines, parts, photograph, profile, with_lines
+from photographs import (
+    AWAY,
+    EEVEE,
+    ENGINES,
+    FOCAL,
+    MIDDLE,
+    RADIUS,
+    edge,
+    lines_over,
+    middle,
+    outlines,
+    parts,
+    photograph,
+    profile,
+    with_lines,
+)
 from pictures import drawn, pixels_of
 from the_addon import box_mesh, fovea, new_object, part
 
@@ -430,6 +444,9 @@ def test_lines_of_a_view_layer_that_is_gone_are_told_and_repaired(cycles):
 
 def test_a_view_layer_that_the_compositor_does_not_show_gets_no_lines(cycles):
     hidden = cycles.view_layers.new("Hidden")
-    with bpy.context.temp_override(view_layer=hidden), pytest.raises(RuntimeError, match="shows no picture of 'Hidden'"):
+    with (
+        bpy.context.temp_override(view_layer=hidden),
+        pytest.raises(RuntimeError, match="shows no picture of 'Hidden'"),
+    ):
         bpy.ops.fovea.lines_over_layer()
     assert len(bpy.data.scenes) == 1 and part("render.compositor").tree(cycles) is None

@@ -84,7 +84,9 @@ def views(folder):
     scene.render.border_min_y, scene.render.border_max_y = 0.0, 1.0
     half = red((yield from refined()))
     middle = half.shape[1] // 2
-    told["border"] = [int(part.sum()) for part in (whole[:, :middle], half[:, :middle], whole[:, middle:], half[:, middle:])]
+    told["border"] = [
+        int(part.sum()) for part in (whole[:, :middle], half[:, :middle], whole[:, middle:], half[:, middle:])
+    ]
     space.region_3d.view_camera_zoom = 20
     told["zoomed"] = int(red((yield from refined())).sum())
     scene.render.use_border = False
