@@ -16,8 +16,10 @@ sys.path.insert(0, str(Path(__file__).parents[1]))
 
 import bpy
 import draw
+import drawing_settings
 import ending
 import over
+import scene_source
 from bl_ext.user_default.fovea.render import as_rendered, lines_over, session
 from command import draw_options
 
@@ -49,11 +51,11 @@ def of_lines(act):
 
 def measured(words):
     options = draw_options.parse(words)
-    draw.open_scene(options.scene)
+    scene_source.open_scene(options.scene)
     scene = bpy.context.scene
     draw.set_size(scene, options)
     draw.set_camera(scene, options)
-    draw.set_drawing(scene, options)
+    drawing_settings.set_drawing(scene, options)
     over.set_up(scene, options)
     lines_over.remove(scene)
     rounds = [measure(scene) for _ in range(REPEATS + 1)][1:]  # the first one fills caches
