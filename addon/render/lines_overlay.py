@@ -2,6 +2,8 @@
 """Lines over what other engines show in 3D viewports, of scenes that have lines over their renders: drafts while
 something changes and refined at rest, as viewports of Fovea itself are (viewport.py)."""
 
+from functools import partial
+
 import bpy
 from bpy.app.handlers import persistent
 
@@ -49,6 +51,7 @@ class _Lines(viewport.Viewport):
     def __init__(self, context):
         super().__init__(_style)
         self.engine, self.of = _Engine(context.region), _drawn(context)
+        self.problem = ""  # why there are no lines
 
     def show(self, engine, context, depsgraph, view):
         """Draws the lines, if they are of what is there now: others would lie over objects elsewhere."""
@@ -109,16 +112,21 @@ def _draw():
     if not wanted:
         return
     lines = lines or _of_region.setdefault(address, _Lines(context))
-    problems = []
-    with session.reported(problems.append):
+    lines.problem = ""
+    with session.reported(partial(setattr, lines, "problem")):
         try:
             lines.draw(lines.engine, context, context.evaluated_depsgraph_get())
         except Exception:
             lines.forget()
             raise
-    if problems:
-        size = context.region.width, context.region.height
-        gpu_viewport.say(f"Fovea Lines: {problems[0]}", *size, LETTERS * context.preferences.system.ui_scale, 0.05)
+
+
+def _say():
+    """Draw handler for text, in pixels of the region."""
+    region, letters = bpy.context.region, LETTERS * bpy.context.preferences.system.ui_scale
+    lines = _of_region.get(region.as_pointer())
+    if lines and lines.problem:
+        gpu_viewport.say(f"Fovea Lines: {lines.problem}", region.width, region.height, letters, 0.05)
 
 
 def _drop(*addresses):
@@ -159,20 +167,19 @@ _HANDLERS = {
     "redo_post": _read_anew,
     "load_pre": _forget,
 }
-_handle = None
+_handles = []
 
 
 def register():
-    global _handle
-    _handle = bpy.types.SpaceView3D.draw_handler_add(_draw, (), "WINDOW", "POST_VIEW")
+    for function, when in ((_draw, "POST_VIEW"), (_say, "POST_PIXEL")):
+        _handles.append(bpy.types.SpaceView3D.draw_handler_add(function, (), "WINDOW", when))
     for name, function in _HANDLERS.items():
         getattr(bpy.app.handlers, name).append(function)
 
 
 def unregister():
-    global _handle
     for name, function in _HANDLERS.items():
         getattr(bpy.app.handlers, name).remove(function)
-    bpy.types.SpaceView3D.draw_handler_remove(_handle, "WINDOW")
-    _handle = None
+    while _handles:
+        bpy.types.SpaceView3D.draw_handler_remove(_handles.pop(), "WINDOW")
     _forget()

@@ -100,6 +100,14 @@ def views(folder):
         bpy.ops.screen.region_quadview()
     yield from refined()
     told["one again"] = len(shown())
+    space.region_3d.view_perspective, scene.camera.data.type = "CAMERA", "PANO"
+    yield from screen.until(lambda: shown() and shown()[0].problem)
+    told["problem"] = shown()[0].problem
+    picture = yield from plain()
+    told["letters"] = int((picture[: len(picture) // 10, : -40].min(axis=2) > 0.95).sum())  # without the pointer
+    scene.camera.data.type = "PERSP"
+    yield from refined()
+    told["no problem"] = shown()[0].problem
     scene.render.engine = "FOVEA"
     yield from screen.rest(0.5)
     screen.swap()

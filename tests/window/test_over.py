@@ -12,6 +12,7 @@ def test_lines_lie_over_every_shading_but_wireframe_in_the_colors_of_their_pens(
     assert min(left, right, left_of_border) > 50 and right_of_border == 0 and left_of_border > 0.9 * left
     assert found["zoomed"] > 50 and found["orthographic"] > 100
     assert found["quad"] == 4 and found["one again"] == 1 and found["by Fovea"] == 0
+    assert "panoramic" in found["problem"] and found["letters"] > 20 and not found["no problem"]
     assert found["calm"]
 
 
