@@ -97,6 +97,7 @@ def test_removing_leaves_what_was_there_before(scene, tmp_path):
     assert bpy.ops.fovea.lines_over_remove() == {"FINISHED"}
     assert counts() == before and not lines_over.is_on(scene)
     assert np.array_equal(drawn(scene, tmp_path / "again.png"), photo)
+    assert bpy.ops.fovea.lines_over() == bpy.ops.fovea.lines_over_remove() == {"FINISHED"} and counts() == before
 
 
 def test_one_step_of_undo_takes_the_lines_away(cycles):
