@@ -25,6 +25,7 @@ def refined(count=1):
         return len(shown()) == count and all(lines.is_final() for lines in shown())
 
     yield from screen.rest(0.1)
+    screen.swap()  # what a script changes need not make Blender draw
     yield from screen.until(done)
     screen.swap()
     yield from screen.until(done)
