@@ -105,7 +105,7 @@ def views(folder):
     yield from screen.until(lambda: shown() and shown()[0].problem)
     told["problem"] = shown()[0].problem
     picture = yield from plain()
-    told["letters"] = int((picture[: len(picture) // 10, : -40].min(axis=2) > 0.95).sum())  # without the pointer
+    told["letters"] = int((picture[: len(picture) // 10, :-40].min(axis=2) > 0.95).sum())  # without the pointer
     scene.camera.data.type = "PERSP"
     yield from refined()
     told["no problem"] = shown()[0].problem
