@@ -27,11 +27,12 @@ def set_up(scene, options):
     lines_over.repair(scene)
     for sentence in lines_over_check.problems(scene):
         raise ValueError(f"--over {options.over}: {sentence}")
-    node = lines_over.node(scene, lines_over.OVER)
-    if options.blend:
-        node.inputs["Multiply"].default_value = float(options.blend == "multiply")
-    if options.opacity is not None:
-        node.inputs["Opacity"].default_value = options.opacity
+    for layer in lines_over.places(scene):
+        node = lines_over.node(scene, lines_over.OVER, layer)
+        if options.blend:
+            node.inputs["Multiply"].default_value = float(options.blend == "multiply")
+        if options.opacity is not None:
+            node.inputs["Opacity"].default_value = options.opacity
 
 
 def set_engine(scene, name):

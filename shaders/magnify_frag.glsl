@@ -11,4 +11,8 @@ void main()
     vec4 below = mix(texelFetch(picture, low, 0), texelFetch(picture, ivec2(high.x, low.y), 0), between.x);
     vec4 above = mix(texelFetch(picture, ivec2(low.x, high.y), 0), texelFetch(picture, high, 0), between.x);
     color = mix(below, above, between.y);
+#ifdef OVERLAY
+    bool is_inside = all(greaterThanEqual(gl_FragCoord.xy, inside.xy)) && all(lessThan(gl_FragCoord.xy, inside.zw));
+    color *= is_inside ? opacity : 0.0;
+#endif
 }

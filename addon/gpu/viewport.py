@@ -36,6 +36,19 @@ class Picture:
             batch.draw(programs.bind("magnify", {"picture": self._texture}))
         gpu.state.blend_set("NONE")
 
+    def show_over(self, programs, width, height, moved, inside, opacity):
+        """Draws it over what another engine shows in a region of width x height pixels. Blender stores overlays as sRGB
+        and lays them over the picture after its view transform: colors of lines are those of their pens. `inside`:
+        (left, bottom, right, top) in pixels of where it is drawn. `programs` and `moved`: as for `show`."""
+        corners, places = moved or _WHOLE
+        batch = triangles({"corner": corners, "place": places})
+        before = gpu.state.depth_test_get()
+        gpu.state.depth_test_set("NONE")
+        gpu.state.blend_set("ALPHA_PREMULT")
+        batch.draw(programs.bind("overlay", {"picture": self._texture}, inside=inside, opacity=opacity))
+        gpu.state.blend_set("NONE")
+        gpu.state.depth_test_set(before)
+
 
 def veil(width, height):
     """Fades what a region of width x height pixels shows to gray."""
@@ -47,14 +60,15 @@ def veil(width, height):
     gpu.state.blend_set("NONE")
 
 
-def say(text, width, height, size):
-    """Draws a line of text in the middle of a region of width x height pixels; `size`: of its letters in pixels."""
+def say(text, width, height, size, up=0.5):
+    """Draws a line of text in the middle of a region of width x height pixels; `size`: of its letters in pixels; `up`:
+    how high it is, 1 is the region's top."""
     blf.size(0, size)
     across, _ = blf.dimensions(0, text)
     blf.color(0, 1.0, 1.0, 1.0, 1.0)
     blf.enable(0, blf.SHADOW)
     blf.shadow(0, 5, 0.0, 0.0, 0.0, 1.0)
-    blf.position(0, (width - across) / 2, (height - size) / 2, 0)
+    blf.position(0, (width - across) / 2, (height - size) * up, 0)
     blf.draw(0, text)
     blf.disable(0, blf.SHADOW)
 

@@ -29,9 +29,10 @@ class Scene:
 
 
 class Changes:
-    """The state of one viewport."""
+    """The state of one viewport. `style_of(depsgraph)`: the Style that it draws."""
 
-    def __init__(self):
+    def __init__(self, style_of):
+        self._style_of = style_of
         self._scene = None
         self._told = self._must_read = True  # since the last read: any updates; any that are not harmless
         self._placements = self._needs = self._space = None
@@ -47,12 +48,16 @@ class Changes:
         self._must_read = self._must_read or not are_harmless(list(updates))
         self.moves += any(map(_moves, updates))
 
+    def forget(self):
+        """What is read next, is read anew."""
+        self._told = self._must_read = True
+
     def read(self, engine, depsgraph, space):
         """The current Scene for a SpaceView3D, read again only if something has changed."""
         shows = _shows(space)
         if self._scene is not None and not self._told and shows == self._space:
             return self._scene
-        style = properties.style_drawn(depsgraph)
+        style = self._style_of(depsgraph)
         needs = (*_needs(style, properties.density_map(depsgraph)), section.plane_of(depsgraph))
         placements = instances.placements(depsgraph, space)
         found, version = self._scene and self._scene.gathered, self._scene.version if self._scene else 0

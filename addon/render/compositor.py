@@ -16,11 +16,16 @@ def tree(scene):
 
 def is_off(scene):
     """Whether a scene has a tree that would change its picture if it were on."""
-    if GROUPS or scene.use_nodes or scene.node_tree is None:
+    if GROUPS or scene.use_nodes or not _has_nodes(scene):
         return False
     out = output(scene.node_tree)
     source = out.links[0].from_node if out and out.is_linked else None
     return source is None or source.type != "R_LAYERS" or source.scene not in (None, scene)
+
+
+def _has_nodes(scene):
+    """Whether a scene has a tree of its own that is not empty, up to 4.5."""
+    return scene.node_tree is not None and len(scene.node_tree.nodes) > 0
 
 
 def make_tree(scene):
@@ -31,7 +36,7 @@ def make_tree(scene):
         found = scene.compositing_node_group = found.copy()
     if found:
         return found
-    if not GROUPS and scene.node_tree:
+    if not GROUPS and _has_nodes(scene):
         scene.use_nodes = True
         return scene.node_tree
     if GROUPS:
@@ -90,6 +95,13 @@ def rendered(tree, scene, layer=None):
     made.scene = scene  # from 5.0 on a node without a scene renders nothing
     made.layer = layer or next((layer for layer in scene.view_layers if layer.use), scene.view_layers[0]).name
     return made
+
+
+def picture_of(tree, scene, layer):
+    """The socket by which a tree shows the picture of a scene's view layer: one that is linked, if any; or None."""
+    nodes = [node for node in tree.nodes if node.type == "R_LAYERS" and node.layer == layer.name and not node.mute]
+    of_scene = [node.outputs["Image"] for node in nodes if node.scene == scene or (not GROUPS and node.scene is None)]
+    return next((socket for socket in of_scene if socket.is_linked), next(iter(of_scene), None))
 
 
 def alpha_over(tree, below, above, factor=1.0):

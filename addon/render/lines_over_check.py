@@ -12,23 +12,30 @@ REPAIR = "press Repair in the panel Fovea Lines"
 
 def problems(scene):
     """Yields a sentence for each thing that keeps lines from a scene's renders; none if it shall have none."""
-    over, layer, lines = lines_over.node(scene, lines_over.OVER), None, lines_scenes.of(scene)
-    if over is None and lines is None:
-        return
-    layer = lines_over.node(scene, lines_over.LINES)
-    if over is None or layer is None or lines is None:
+    drawn = lines_over.places(scene)
+    if lines_scenes.strays(scene):
+        yield f"a view layer that had lines is gone; {REPAIR}"
+    for layer in drawn:
+        yield from _problems_of(scene, layer)
+    if drawn and not scene.render.use_compositing:
+        yield f"Compositing is off in the output properties; {REPAIR}"
+    if drawn and scene.render.use_single_layer:
+        yield f"Render Single Layer is on, and Blender composites nothing then; {REPAIR}"
+    if drawn and _has_strips(scene) and scene.render.use_sequencer:
+        yield "the sequencer has strips, which are rendered in place of the picture; turn off Sequencer in the output"
+
+
+def _problems_of(scene, layer):
+    """Those of what lays lines over the whole picture (None) or over that of a view layer."""
+    over, shown = (lines_over.node(scene, mark, layer) for mark in (lines_over.OVER, lines_over.LINES))
+    lines = lines_scenes.of(scene, layer)
+    if over is None or shown is None or lines is None:
         yield f"nodes of the compositor, or the scene that draws the lines, are missing; {REPAIR}"
         return
-    if not scene.render.use_compositing:
-        yield f"Compositing is off in the output properties; {REPAIR}"
-    if scene.render.use_single_layer:
-        yield f"Render Single Layer is on, and Blender composites nothing then; {REPAIR}"
-    if _has_strips(scene) and scene.render.use_sequencer:
-        yield "the sequencer has strips, which are rendered in place of the picture; turn off Sequencer in the output"
-    if over.mute or layer.mute or layer.scene != lines or not _is_linked(over, layer):
+    if over.mute or shown.mute or shown.scene != lines or not _is_linked(over, shown):
         yield f"nodes of the compositor are muted, not linked, or show another scene; {REPAIR}"
     out = compositor.output(compositor.tree(scene))
-    if out is None or not out.is_linked:
+    if layer is None and (out is None or not out.is_linked):
         yield f"the compositor has no output; {REPAIR}"
 
 
@@ -47,8 +54,7 @@ def _has_strips(scene):
 @persistent
 def _tell(scene, *_):
     """A render begins."""
-    lines = lines_scenes.of(scene)
-    if lines and bpy.app.background:  # the render is in Blender's main thread
+    for lines in lines_scenes.all_of(scene) if bpy.app.background else ():  # the render is in Blender's main thread
         lines_scenes.follow(lines)
     for sentence in problems(scene):
         _print(scene, sentence)

@@ -14,7 +14,7 @@ from dataclasses import dataclass
 import bpy
 import numpy as np
 
-from ..scene.property_kinds import new_group, switch
+from ..scene.property_kinds import new_group, pointer, switch
 
 _MOST_LETTERS = 32  # of a line set's name in its pass's: Blender's names of passes end at 63, with view and channel
 
@@ -209,4 +209,6 @@ def layer_group():
     own = {each.image: each for each in PASSES if each.switch == f"fovea.{each.image}"}
     renewing = {"update": lambda _settings, _context: renew_sockets()}
     switches = {name: switch(each.label, each.description, **renewing) for name, each in own.items()}
-    return new_group("FoveaViewLayerSettings", "Which passes a view layer has.", switches)
+    told = "The scene that draws this view layer's lines over what another engine renders"
+    lines = pointer("Lines", told, type=bpy.types.Scene, options={"HIDDEN"})
+    return new_group("FoveaViewLayerSettings", "Which passes and lines a view layer has.", {**switches, "lines": lines})

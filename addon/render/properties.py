@@ -34,12 +34,13 @@ def _own_style(scene):
     return chosen
 
 
-def style_drawn(depsgraph, given=None):
-    """The Style that renders of a depsgraph's scene draw; without paper if they are lines over another scene's.
-    `given`: as for `style_of`."""
+def style_drawn(depsgraph, given=None, lines_alone=False):
+    """The Style that renders of a depsgraph's scene draw. `given`: as for `style_of`. `lines_alone`: without paper and
+    colors, as that of scenes always is that draw lines over another one's renders."""
     chosen = style_of(followed.evaluated(depsgraph), _styled(depsgraph), given)
-    lies_over = followed.follows(depsgraph.scene)
-    return chosen.replace(paper=chosen.paper.replace(transparent=True)) if lies_over else chosen
+    if not (lines_alone or followed.follows(depsgraph.scene)):
+        return chosen
+    return chosen.replace(paper=chosen.paper.replace(transparent=True), color=chosen.color.replace(shading="plain"))
 
 
 def _styled(depsgraph):
@@ -103,6 +104,7 @@ def _scene_group(vectors):
     of_style = {"type": bpy.types.NodeTree, "poll": lambda _settings, tree: style_data.is_style(tree)}
     follows = "The scene over whose pictures this one draws lines"
     lies = "How lines lie over what another engine renders"
+    in_viewports = "Lines lie over 3D viewports in Solid, Material Preview and Rendered shading, too"
     told = "Another style, into which the drawing may go over: lines of both go from pen to pen, others fade"
     annotations = {
         "style": pointer("Style", "How the lines look and what lies under them; none: the default style", **of_style),
@@ -113,7 +115,9 @@ def _scene_group(vectors):
         **methods.properties(),
         **focus_settings.annotations(),
         "lines_blend": choice("Blend", lies, items=BLENDS, get=lines_over.blend, set=lines_over.set_blend),
+        "lines_in_viewports": switch("Show in Viewports", in_viewports, default=True),
         "lines_of": pointer("Lines Of", follows, type=bpy.types.Scene, options={"HIDDEN"}),
+        "lines_of_layer": switch("Of a View Layer", "Only those of one of its view layers", options={"HIDDEN"}),
         **section.annotations(),
         **drawing_scale.annotations(),
     }

@@ -2,7 +2,7 @@
 """A 3D viewport in Rendered shading: drawn within a time budget while something changes, refined when it rests.
 
 The cpu backend draws in a thread (worker.py) from the scene as read, which is read again only when Blender reports a
-relevant change (changes.py). A draw of the region waits up to PATIENCE for its picture, then shows the last one;
+relevant change (changes.py). A draw of the region waits a moment for its picture, then shows the last one;
 caretaker.py redraws the region later. The gpu backend needs Blender's GPU context, so it draws synchronously.
 """
 
@@ -15,10 +15,9 @@ from .. import budget, moved_picture, native, pipeline
 from ..gpu import program as gpu_program
 from ..gpu import viewport as gpu_viewport
 from ..scene import camera, scene
-from . import caretaker, changes, methods, session, stage_labels, worker
+from . import caretaker, changes, methods, properties, session, stage_labels, worker
 from .wanted import Picture, Wanted, seen
 
-PATIENCE = 0.25  # seconds that a draw of the region waits for its picture
 WORD = 0.3  # seconds between progress messages in the header
 DRAWING = "Fovea: drawing…"  # in the middle of a viewport until its first picture is there
 LETTERS = 16  # height of its letters in pixels of Blender's interface
@@ -57,12 +56,14 @@ def _viewport(engine):
 
 
 class Viewport:
-    """State of one viewport."""
+    """State of one viewport. `style_of(depsgraph)`: the Style that it draws."""
 
-    def __init__(self):
-        self.changes = changes.Changes()
+    patience = 0.25  # seconds that a draw of the region waits for its picture
+
+    def __init__(self, style_of=properties.style_drawn):
+        self.changes = changes.Changes(style_of)
         self.budget = budget.Budget()
-        self._programs = gpu_program.Programs()
+        self.programs = gpu_program.Programs()
         self.wanted = self.shown = self.job = None
         self._warm = None  # Read scene of the last finished picture
         self._begun = False  # whether it was said that the first picture is on its way
@@ -78,25 +79,29 @@ class Viewport:
         elif not self._begun:
             self._begun = True  # seen before the scene is read, which may take long
         # A slow draft is finished, not restarted: else nothing new would be shown until the view rests.
-        elif job is None or not job.draft or job.wait(job.started + PATIENCE - start):
+        elif job is None or not job.draft or job.wait(job.started + self.patience - start):
             self._take(engine)
             if (before := self.wanted) is None:
                 stage_labels.show(engine)
             self._want(engine, context, depsgraph, view)
-            self._draw(engine, depsgraph.scene.fovea_viewport.budget_ms, start + PATIENCE)
+            self._draw(engine, depsgraph.scene.fovea_viewport.budget_ms, start + self.patience)
             if self.wanted is not before:
                 caretaker.note_change()
         if not self.is_final():
             caretaker.look_after(self, engine)
+        self.show(engine, context, depsgraph, view)
+
+    def show(self, engine, context, depsgraph, view):
+        """Draws the picture shown, as it is seen in a View."""
         size = context.region.width, context.region.height
         if self.shown:
-            self.shown.image.show(self._programs, engine, depsgraph.scene, *size, self._moved(context, view))
-            if self._is_left_behind(context.space_data):
+            self.shown.image.show(self.programs, engine, depsgraph.scene, *size, self.moved(context, view))
+            if self.is_left_behind() and (context.space_data.overlay.show_overlays or context.space_data.show_gizmo):
                 gpu_viewport.veil(*size)
         else:
             gpu_viewport.say(DRAWING, *size, LETTERS * context.preferences.system.ui_scale)
 
-    def _moved(self, context, view):
+    def moved(self, context, view):
         """Where the picture shown is seen now, for Picture.show, if it was drawn from another view; else None."""
         before = self.shown.wanted.view
         if seen(before) == seen(view):
@@ -104,10 +109,9 @@ class Viewport:
         depth = moved_picture.depth_of(before, context.region_data.view_location)
         return moved_picture.on_plane(before, view, depth), moved_picture.PLACES
 
-    def _is_left_behind(self, space):
-        """Whether what Blender draws over the picture shown has objects in other places."""
-        moved = self.shown.wanted.scene.moves != self.changes.moves
-        return moved and (space.overlay.show_overlays or space.show_gizmo)
+    def is_left_behind(self):
+        """Whether objects are in other places than in the picture shown."""
+        return self.shown.wanted.scene.moves != self.changes.moves
 
     def is_final(self):
         """Whether the picture shown is current and needs no refinement now."""

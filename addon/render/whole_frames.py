@@ -20,7 +20,7 @@ from bpy.app.handlers import persistent
 
 from .. import files, frame_records
 from ..held_folder import LOCK, held_folder
-from . import as_rendered, frame_key, whole_pictures
+from . import as_rendered, frame_key, lines_scenes, whole_pictures
 
 PREFIX = "part-"  # of the folders that Blender writes to
 finished = []  # paths of the frames that this process has moved into place, or found done, in order
@@ -67,9 +67,14 @@ class Render:
         return bool(record and record["key"] == self.key and record["pixels_sha256"] == _pixels(self.place / name))
 
     def finish(self):
-        """Moves what Blender has written into place. NotWritten if it is not whole."""
+        """Moves what Blender has written into place. NotWritten if it is not whole, or lacks lines that should lie over
+        it."""
+        lost = lines_scenes.failure(self.scene)
         for fresh in sorted(self.folder.iterdir()):
             if fresh.name in self.skipped:
+                continue
+            if lost:
+                fresh.unlink()
                 continue
             place, pixels = self.place / fresh.name, _pixels(fresh)
             try:
@@ -82,6 +87,8 @@ class Render:
             frame_records.append(self.place, record)
             finished.append(place)
             print(f"Saved: '{place}'", flush=True)  # as Blender told of the file before it was moved
+        if lost:
+            raise files.NotWritten(f"Frame {self.scene.frame_current} has no lines over it and is not kept: {lost}")
 
 
 def in_place(path):

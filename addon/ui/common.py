@@ -41,6 +41,7 @@ class FoveaPanel:
     bl_region_type = "WINDOW"
     bl_context = "render"
     COMPAT_ENGINES = {ENGINE}
+    of_followers = False  # whether scenes that draw the lines of another one have it, too
 
     @classmethod
     def poll(cls, context):
@@ -49,7 +50,8 @@ class FoveaPanel:
     @classmethod
     def fits(cls, context):
         """Whether the panel is for the context's engine and scene."""
-        return context.engine in cls.COMPAT_ENGINES and not followed.follows(context.scene)
+        of_scene = cls.of_followers or not followed.follows(context.scene)
+        return context.engine in cls.COMPAT_ENGINES and of_scene
 
     def draw(self, context):
         self.layout.use_property_split = True

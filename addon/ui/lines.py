@@ -30,6 +30,7 @@ class FOVEA_UL_hidden_pens(bpy.types.UIList):
 
 class RENDER_PT_fovea_lines(StylePanel, bpy.types.Panel):
     bl_label = "Lines"
+    of_followers = True  # they may have a style of their own
 
     def show(self, layout, context):
         held = style_data.of(context.scene).fovea

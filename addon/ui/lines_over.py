@@ -34,16 +34,43 @@ class RENDER_PT_fovea_lines_over(FoveaPanel, bpy.types.Panel):
         self.layout.operator(f"fovea.lines_over{name}", text="", icon=icon, emboss=False)
 
     def show(self, layout, context):
-        scene, over = context.scene, lines_over.node(context.scene, lines_over.OVER)
+        scene = context.scene
         if not lines_over.is_on(scene):
             return
         failure = lines_scenes.failure(scene)
         for sentence in (*lines_over_check.problems(scene), *((f"Last render: {failure}",) if failure else ())):
             layout.label(text=f"{sentence[0].upper()}{sentence[1:]}", icon="ERROR")
-        if over:
-            layout.prop(scene.fovea, "lines_blend")
-            layout.prop(over.inputs["Opacity"], "default_value", text="Opacity")
+        _draw_blend(layout, scene.fovea, lines_over.node(scene, lines_over.OVER))
+        layout.prop(scene.fovea, "lines_in_viewports")
         layout.operator("fovea.lines_over_repair", text="Repair")
+
+
+class VIEWLAYER_PT_fovea_lines_over(FoveaPanel, bpy.types.Panel):
+    bl_label = "Fovea Lines"
+    bl_context = "view_layer"
+    bl_options = {"DEFAULT_CLOSED"}
+
+    @classmethod
+    def fits(cls, context):
+        return context.engine != ENGINE and len(context.scene.view_layers) > 1
+
+    def draw_header(self, context):
+        on = lines_scenes.of(context.scene, context.view_layer)
+        icon = "CHECKBOX_HLT" if on else "CHECKBOX_DEHLT"
+        self.layout.operator("fovea.lines_over_layer", text="", icon=icon, emboss=False)
+
+    def show(self, layout, context):
+        scene, layer = context.scene, context.view_layer
+        if lines := lines_scenes.of(scene, layer):
+            layout.prop(lines.fovea, "style", text="Own Style", placeholder="That of the scene")
+            _draw_blend(layout, lines.fovea, lines_over.node(scene, lines_over.OVER, layer))
+
+
+def _draw_blend(layout, settings, over):
+    """Draws how lines lie over a picture, if there is a node that lays them over it."""
+    if over:
+        layout.prop(settings, "lines_blend")
+        layout.prop(over.inputs["Opacity"], "default_value", text="Opacity")
 
 
 class RENDER_PT_fovea_follower(FoveaPanel, bpy.types.Panel):

@@ -11,6 +11,7 @@ from .gallery import draw_gallery
 
 class RENDER_PT_fovea_style(FoveaPanel, bpy.types.Panel):
     bl_label = "Style"
+    of_followers = True  # they may have a style of their own
 
     def show(self, layout, context):
         try:

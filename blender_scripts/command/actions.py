@@ -115,8 +115,8 @@ def scene(target, words):
 def bench(target, words):
     """`bench NAME [WORDS]`; if NAME is a scene, `bench peers` for that scene only."""
     name, *rest = words or ["peers"]
-    if name in ("lines", "agreement", "ink"):
-        return {"lines": bench_lines, "agreement": agreement, "ink": bench_ink}[name](target, rest)
+    if by_name := {"lines": bench_lines, "agreement": agreement, "ink": bench_ink, "over": bench_over}.get(name):
+        return by_name(target, rest)
     if name not in ("peers", "visibility", "focus", "viewport", "scale"):
         name, rest = "peers", ["--scenes", name, *rest]
     module = importlib.import_module(f"bench.{name}")
@@ -145,12 +145,22 @@ def shared():
 
 def agreement(target, words):
     """Prints as JSON the agreement of depth-buffer visibility with exact visibility; `words`: those of `fovea draw`."""
+    return bench_by_script(target, "agreement", "comparing visibility on", words or ["office"])
+
+
+def bench_over(target, words):
+    """Prints as JSON what lines over another engine's render cost; `words`: those of `fovea draw`, with --over."""
     words = words or ["office"]
+    engine = [] if "--over" in words else ["--over", "workbench"]
+    return bench_by_script(target, "over", "measuring lines over renders of", [*words, *engine])
+
+
+def bench_by_script(target, name, sentence, words):
+    """Prints what a script of bench/ writes to a file, which it gets besides words of `fovea draw`."""
     scene = draw_options.parse(words).scene
     extension.install(target)
-    out = target.work / "agreement.json"
-    script = PROJECT / "blender_scripts" / "bench" / "agreement.py"
-    in_blender(target, f"comparing visibility on {scene}", script, [out, *words])
+    out = target.work / f"{name}.json"
+    in_blender(target, f"{sentence} {scene}", PROJECT / "blender_scripts" / "bench" / f"{name}.py", [out, *words])
     print(out.read_text())
     return 0
 

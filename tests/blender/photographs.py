@@ -2,6 +2,8 @@
 """A scene whose render is known in closed form: a white sphere between two white boxes before a black sky, without
 shading. The camera looks along y at the sphere's center."""
 
+import os
+
 import addon_utils
 import bpy
 import numpy as np
@@ -14,6 +16,7 @@ AWAY, RADIUS, HALF, ASIDE = 10.0, 1.2, 0.6, 2.4  # of the camera; of the sphere;
 FOCAL = SIZE[0] * 50 / 36  # pixels
 MIDDLE = np.array(SIZE) / 2
 ENGINES = ("CYCLES", "BLENDER_WORKBENCH")
+EEVEE = "BLENDER_EEVEE" if bpy.app.version >= (5, 0, 0) else "BLENDER_EEVEE_NEXT"
 lines_over = part("render.lines_over")
 
 
@@ -24,6 +27,8 @@ def photograph(engine):
         pytest.skip("this Blender has no Cycles")
     if engine != "CYCLES" and part("render.gpu_context").gl_renderer() is None:
         pytest.skip("OpenGL is unusable here")
+    if engine == EEVEE and os.environ.get("FOVEA_LONG") != "1":
+        pytest.skip("EEVEE compiles its shaders for a minute on software OpenGL: fovea test --long does")
     white = shader_material("White", "ShaderNodeEmission")
     white.diffuse_color = white.node_tree.nodes["Emission"].inputs["Color"].default_value = (1, 1, 1, 1)
     bpy.ops.mesh.primitive_uv_sphere_add(segments=128, ring_count=64, radius=RADIUS)
@@ -43,6 +48,8 @@ def photograph(engine):
         scene.cycles.device, scene.cycles.samples, scene.cycles.use_denoising = "CPU", 64, False
         scene.cycles.use_adaptive_sampling, scene.cycles.filter_width = False, 0.01
         scene.cycles.pixel_filter_type = "BOX"
+    if engine == EEVEE:
+        scene.eevee.taa_render_samples, scene.eevee.use_shadows, render.filter_size = 16, False, 1.0
     scene.display.shading.light, scene.display.shading.color_type = "FLAT", "MATERIAL"
     scene.display.render_aa = "32"
     red_lines(scene)

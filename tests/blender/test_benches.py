@@ -15,7 +15,7 @@ from the_addon import part
 sys.path.insert(0, str(Path(__file__).parents[2] / "blender_scripts"))
 
 import scenes
-from bench import agreement, renderers, worker
+from bench import agreement, over, renderers, worker
 from bench import focus as bench
 from bench.focus import PER_SAMPLE, coherence, density, reproject, world
 from bench.focus import emphasis as emphasis_bench
@@ -34,6 +34,19 @@ def test_agreement_judges_the_samples_of_a_render(tmp_path):
     assert all(row["samples"] > 100 and row["ms"] >= 0 and row["all"]["agree"] > 0.95 for row in rows)
     shares = [row[far][name] for row in rows for far in ("all", "path", "image") for name in row[far]]
     assert len(shares) == len(rows) * 3 * 4 and all(0 <= share <= 1 for share in shares)
+
+
+def test_what_lines_over_a_render_cost_is_told_by_its_parts(tmp_path, monkeypatch):
+    if part("render.gpu_context").gl_renderer() is None:
+        pytest.skip("OpenGL is unusable here")
+    monkeypatch.setattr(over, "REPEATS", 1)
+    over.main(tmp_path / "row.json", "boxes:2", "--size", "64x36", "--over", "workbench")
+    row = json.loads((tmp_path / "row.json").read_text())
+    for clock in ("cpu", "wall"):
+        photo, lines, evaluation, both = (row[f"{p}_{clock}_s"] for p in ("photo", "lines", "evaluation", "both"))
+        assert min(photo, lines, evaluation) > 0 and both > lines
+        assert row[f"beyond_{clock}"] == pytest.approx(1 - (photo + lines + evaluation) / both, abs=1e-3)
+    assert len(bpy.data.scenes) == 1, "the scene is left as it was"
 
 
 def test_passes_of_later_stages_are_not_counted_among_those_of_visibility():

@@ -6,7 +6,22 @@ import subprocess
 import bpy
 import numpy as np
 import pytest
-from photographs import ENGINES, edge, lines_over, middle, outlines, parts, photograph, profile, with_lines
+from photographs import (
+    AWAY,
+    EEVEE,
+    ENGINES,
+    FOCAL,
+    MIDDLE,
+    RADIUS,
+    edge,
+    lines_over,
+    middle,
+    outlines,
+    parts,
+    photograph,
+    profile,
+    with_lines,
+)
 from pictures import drawn, pixels_of
 from the_addon import box_mesh, fovea, new_object, part
 
@@ -24,7 +39,9 @@ def cycles():
     return photograph("CYCLES")
 
 
-def test_lines_and_photograph_lie_where_the_closed_form_has_the_outlines(scene, tmp_path):
+@pytest.mark.parametrize("engine", (*ENGINES, EEVEE))
+def test_lines_and_photograph_lie_where_the_closed_form_has_the_outlines(engine, tmp_path):
+    scene = photograph(engine)
     photo, _ = parts(drawn(scene, tmp_path / "photo.png"))
     assert bpy.ops.fovea.lines_over() == {"FINISHED"}
     lines = with_lines(scene, tmp_path / "both.png")
@@ -80,6 +97,7 @@ def test_removing_leaves_what_was_there_before(scene, tmp_path):
     assert bpy.ops.fovea.lines_over_remove() == {"FINISHED"}
     assert counts() == before and not lines_over.is_on(scene)
     assert np.array_equal(drawn(scene, tmp_path / "again.png"), photo)
+    assert bpy.ops.fovea.lines_over() == bpy.ops.fovea.lines_over_remove() == {"FINISHED"} and counts() == before
 
 
 def test_one_step_of_undo_takes_the_lines_away(cycles):
@@ -269,6 +287,29 @@ def test_lines_that_cannot_be_drawn_leave_the_photograph_and_are_told(cycles, tm
     assert with_lines(cycles, tmp_path / "both.png").max() > 0.9 and lines_scenes.failure(cycles) is None
 
 
+def test_farms_get_no_frame_that_lacks_its_lines(cycles, tmp_path, monkeypatch):
+    whole = part("render.whole_frames")
+    monkeypatch.setattr(whole, "exits", False)
+    whole.switch_on()
+    try:
+        cycles.cycles.samples, cycles.camera.data.type = 1, "PANO"
+        bpy.ops.fovea.lines_over()
+        render_a_frame(cycles, tmp_path)
+        (sentence,) = whole.failures
+        assert "Frame 1 has no lines over it and is not kept: Camera 'Camera' is panoramic" in sentence
+        assert not list(tmp_path.glob("*.png"))
+    finally:
+        whole.unregister()
+        whole.failures.clear(), whole.finished.clear()
+
+
+def render_a_frame(scene, folder):
+    scene.frame_start = scene.frame_end = 1
+    scene.render.filepath = str(folder / "frame_####")
+    scene.render.image_settings.file_format = "PNG"
+    bpy.ops.render.render(animation=True)
+
+
 def test_lines_stay_after_the_file_is_reloaded_and_the_scene_renamed(cycles, tmp_path):
     before = both(cycles, tmp_path / "before.png")
     bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "scene.blend"))
@@ -324,3 +365,110 @@ def test_a_compositor_that_several_scenes_share_is_copied(cycles):
     bpy.ops.fovea.lines_over()
     assert other.compositing_node_group == tree and lines_over.node(other, lines_over.OVER) is None
     assert lines_over.node(cycles, lines_over.OVER) is not None
+
+
+def in_layers(scene):
+    """Makes a scene of two view layers: the sphere, and the boxes, one of which lies behind the sphere. The compositor
+    lays the first over the second. Gives the layers."""
+    compositor = part("render.compositor")
+    boxes = [obj for obj in scene.objects if obj.name.startswith("Box")]
+    boxes[0].location = 0.9, 3, 0
+    behind = bpy.data.collections.new("Behind")
+    scene.collection.children.link(behind)
+    for obj in boxes:
+        scene.collection.objects.unlink(obj)
+        behind.objects.link(obj)
+    before = bpy.data.collections.new("Before")
+    scene.collection.children.link(before)
+    sphere = scene.objects["Sphere"]
+    scene.collection.objects.unlink(sphere)
+    before.objects.link(sphere)
+    first, second = scene.view_layers[0], scene.view_layers.new("Second")
+    first.layer_collection.children["Behind"].exclude = True
+    second.layer_collection.children["Before"].exclude = True
+    scene.render.film_transparent, scene.cycles.samples = True, 4
+    tree = compositor.make_tree(scene)
+    above, below = (compositor.rendered(tree, scene, layer.name).outputs["Image"] for layer in (first, second))
+    tree.links.new(compositor.output(tree), compositor.alpha_over(tree, below, above))
+    for node in [node for node in tree.nodes if node.type == "R_LAYERS" and not node.outputs["Image"].is_linked]:
+        tree.nodes.remove(node)
+    return first, second
+
+
+def of_layer(layer):
+    """Turns the lines over a view layer on or off."""
+    with bpy.context.temp_override(view_layer=layer):
+        assert bpy.ops.fovea.lines_over_layer() == {"FINISHED"}
+
+
+def in_parts(lines):
+    """Ink of lines (inside of the sphere, on its outline, beside it)."""
+    y, x = np.indices(lines.shape)
+    away = np.hypot(x + 0.5 - MIDDLE[0], y + 0.5 - MIDDLE[1])
+    outline = FOCAL * RADIUS / np.sqrt(AWAY**2 - RADIUS**2)
+    return [float(lines[part].sum()) for part in (away < outline - 3, abs(away - outline) <= 3, away > outline + 3)]
+
+
+def test_each_view_layer_has_lines_over_its_own_picture_and_may_have_none(cycles, tmp_path):
+    first, second = in_layers(cycles)
+    assert bpy.ops.fovea.lines_over() == {"FINISHED"} and list(check.problems(cycles)) == []
+    inside, outline, beside = in_parts(with_lines(cycles, tmp_path / "both.png"))
+    assert inside == 0 and outline > 300 and beside > 300, "the sphere hides lines of the layer below"
+    of_layer(second)
+    alone = in_parts(with_lines(cycles, tmp_path / "first.png"))
+    assert alone[1] == pytest.approx(outline, rel=0.1) and alone[2] == 0
+    of_layer(first)
+    assert not lines_over.is_on(cycles) and not lines_scenes.all_of(cycles)
+    of_layer(second)
+    inside, outline, again = in_parts(with_lines(cycles, tmp_path / "second.png"))
+    assert inside == 0 and outline < 120 and again == pytest.approx(beside, rel=0.05)
+    assert bpy.ops.fovea.lines_over_remove() == {"FINISHED"}
+    assert with_lines(cycles, tmp_path / "none.png").max() == 0 and len(bpy.data.scenes) == 1
+
+
+def test_lines_of_a_view_layer_follow_what_changes_and_may_have_a_style_of_their_own(cycles, tmp_path):
+    _, second = in_layers(cycles)
+    of_layer(second)
+    cycles.view_layers[0].name, second.name = "Renamed", "Also renamed"
+    _, _, beside = in_parts(with_lines(cycles, tmp_path / "two.png"))
+    for collection in (cycles.collection, bpy.data.collections["Behind"]):
+        where = (-2.4, 0, 1.6) if collection == cycles.collection else (2.4, 0, 1.6)
+        new_object(box_mesh(0.3), "Later", where, collection).data.materials.append(bpy.data.materials["White"])
+    _, _, more = in_parts(with_lines(cycles, tmp_path / "four.png"))
+    assert more > 1.4 * beside
+    second.layer_collection.children["Behind"].exclude = True
+    _, _, left = in_parts(with_lines(cycles, tmp_path / "one.png"))
+    assert 0 < left < 0.5 * beside
+    second.layer_collection.children["Behind"].exclude = False
+    lines, style_data = lines_scenes.of(cycles, second), part("style.style_data")
+    lines.fovea.style = style_data.of(cycles).copy()
+    pen = lines.fovea.style.fovea.line_sets[-1].pen
+    for frame, width in ((1, pen.width), (3, 2 * pen.width)):
+        pen.width = width
+        pen.keyframe_insert("width", frame=frame)
+    ink = []
+    for frame in (1, 3):
+        cycles.frame_set(frame)
+        ink.append(in_parts(with_lines(cycles, tmp_path / f"{frame}.png"))[2])
+    assert ink[0] == pytest.approx(more, rel=0.02) and 1.6 < ink[1] / ink[0] < 2.4
+
+
+def test_lines_of_a_view_layer_that_is_gone_are_told_and_repaired(cycles):
+    first, second = in_layers(cycles)
+    bpy.ops.fovea.lines_over()
+    assert len(bpy.data.scenes) == 3
+    lines_over.node(cycles, lines_over.OVER, first).mute = True
+    cycles.view_layers.remove(second)
+    assert len(list(check.problems(cycles))) == 2
+    assert bpy.ops.fovea.lines_over_repair() == {"FINISHED"}
+    assert list(check.problems(cycles)) == [] and len(bpy.data.scenes) == 2
+
+
+def test_a_view_layer_that_the_compositor_does_not_show_gets_no_lines(cycles):
+    hidden = cycles.view_layers.new("Hidden")
+    with (
+        bpy.context.temp_override(view_layer=hidden),
+        pytest.raises(RuntimeError, match="shows no picture of 'Hidden'"),
+    ):
+        bpy.ops.fovea.lines_over_layer()
+    assert len(bpy.data.scenes) == 1 and part("render.compositor").tree(cycles) is None

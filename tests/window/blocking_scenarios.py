@@ -52,7 +52,7 @@ def long_pictures(folder):
     """While a picture is held up for as long as it takes: the view turns, things move, settings change, and every draw
     comes back; then the picture comes."""
     watch = yield from opened("boxes:2")
-    told = {"patience": viewport.PATIENCE}
+    told = {"patience": viewport.Viewport.patience}
     for name, act in (("turned", lambda: turn(4)), ("moved", nudge), ("restyled", restyle)):
         waits = Waits()
         with held() as drawing:
