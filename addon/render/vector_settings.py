@@ -7,7 +7,7 @@ from bpy.props import BoolProperty, EnumProperty, FloatProperty
 from .. import native
 from ..scene.property_kinds import OVERRIDABLE, new_group
 
-VECTORS = ("sheet", "margin", "to_scale", "tolerance", "widths", "ground", "plotter")  # of VectorOptions
+VECTORS = ("sheet", "margin", "to_scale", "tolerance", "widths", "ground", "colors", "plotter")  # of VectorOptions
 SCREEN = ("dpi", "lines_per_inch", "angle", "threshold")  # of Screen
 RASTER = (  # kinds of files besides the core's VECTORS: (name, label, description)
     ("ora", "OpenRaster", "For programs that paint: paper, colors and the lines of each set on layers"),

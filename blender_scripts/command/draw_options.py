@@ -153,6 +153,7 @@ def _add_vectors(add):
     add("--tolerance", type=deviation, metavar="MM", help="how far curves may be off (0.02)")
     add("--center-lines", action="store_true", default=None, help="lines of one width where strokes change theirs")
     add("--lines-alone", action="store_true", default=None, help="neither paper nor colors")
+    add("--color-areas", action="store_true", default=None, help="colors as filled areas, not as a picture")
     add("--plotter", action="store_true", default=None, help="lines of one width in an order of short ways")
     add("--one-bit", action="store_true", help="a PNG of black and white: lines by a threshold, tones as dots")
     number = quantities.within
@@ -171,6 +172,7 @@ def vector_options(options):
         "tolerance": options.tolerance,
         "widths": options.center_lines and "center",
         "ground": False if options.lines_alone else None,
+        "colors": options.color_areas and "areas",
         "plotter": options.plotter,
     }
     return {name: value for name, value in given.items() if value is not None}
@@ -191,7 +193,7 @@ def _check_one_bit(options):
 
 
 def _check_vectors(options):
-    for name in ("paper", "paper_margin", "tolerance", "center_lines", "lines_alone", "plotter", "json"):
+    for name in ("paper", "paper_margin", "tolerance", "center_lines", "lines_alone", "color_areas", "plotter", "json"):
         if getattr(options, name) is not None and options.output.suffix not in VECTORS:
             kinds = " or ".join(VECTORS)
             raise ValueError(f"--{name.replace('_', '-')} is for vectors: name an output that ends in {kinds}")

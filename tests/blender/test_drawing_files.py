@@ -14,7 +14,7 @@ import bpy
 import numpy as np
 import pytest
 from pictures import box_scene, drawn, ink, pixels_of
-from the_addon import add_hidden, lines_of, own_style, part, use_style
+from the_addon import add_hidden, lines_of, own_style, part, shader_material, use_style
 
 sys.path.insert(0, str(Path(__file__).parents[2] / "blender_scripts"))
 
@@ -73,6 +73,29 @@ def test_an_svg_is_as_inked_as_the_film_within_a_hundredth(scene, tmp_path, chan
     vector = ink(pixels_of(tmp_path / "svg.png"))
     assert abs(vector.sum() - film.sum()) < 0.01 * film.sum()
     assert (np.abs(vector - film) > 0.5).sum() < 0.01 * film.sum()  # where they are, too
+
+
+@pytest.mark.parametrize(("kind", "share"), [("svg", 0.02), ("pdf", 0.03)])  # pdftoppm makes areas wider
+def test_colors_as_areas_are_the_picture_s_but_at_edges(scene, tmp_path, kind, share):
+    converter = program("rsvg-convert" if kind == "svg" else "pdftoppm")
+    mesh = scene.objects["Box"].data
+    for color in ((0.6, 0.1, 0.05, 1), (0.05, 0.1, 0.6, 1)):
+        material = shader_material("Plain", "ShaderNodeEmission")
+        material.node_tree.nodes["Emission"].inputs["Color"].default_value = color
+        mesh.materials.append(material)
+    mesh.polygons.foreach_set("material_index", [0, 1] * (len(mesh.polygons) // 2))
+    own_style(scene).color.shading = "FLAT"
+    lines_of(scene).pen.opacity = 0.0
+    film = drawn(scene, tmp_path / "film.png")
+    file, picture = exported(tmp_path / f"box.{kind}", colors="areas"), tmp_path / "areas.png"
+    assert b"<image" not in file.read_bytes() and b"/Image" not in file.read_bytes()
+    if kind == "svg":
+        ran(converter, "-w", 640, "-h", 480, file, "-o", picture)
+    else:
+        ran(converter, "-png", "-scale-to-x", 640, "-scale-to-y", 480, "-singlefile", file, picture.with_suffix(""))
+    differs = np.abs(pixels_of(picture)[..., :3] - film[..., :3]).max(axis=2) > 0.03
+    colored = np.abs(film[..., :3] - film[0, 0, :3]).max(axis=2) > 0.03
+    assert colored.mean() > 0.02 and differs.sum() < share * colored.sum()
 
 
 def test_a_pdf_has_one_page_of_the_paper_s_size_and_the_same_ink(scene, tmp_path):

@@ -8,6 +8,7 @@ import zlib
 from pathlib import Path
 
 import bpy
+import golden_scenes
 import numpy as np
 import pytest
 from pictures import box_scene
@@ -97,6 +98,19 @@ def test_for_a_plotter_the_pen_moves_little_between_lines(scene, tmp_path):
     ends = [points(path) for path in root.iter(f"{SVG}path")]
     assert len(ends) == figures["paths"]
     assert not list(root.iter(f"{SVG}rect"))
+
+
+@pytest.mark.parametrize("name", ["boxes_10", "suzanne_2", "orthographic", "crank_arm", "rocker_arm"])
+def test_of_golden_scenes_a_plotter_lifts_its_pen_over_two_fifths_of_the_way_that_strokes_are_found_in(name):
+    model = golden_scenes.MODELS.get(name)
+    if model and not model.exists():
+        pytest.skip(f"there is no {model}")
+    golden_scenes.build(name)
+    bpy.context.scene.render.engine = "FOVEA"
+    figures = vectors.drawing(bpy.context, "svg", vectors.options(plotter=True)).figures
+    assert figures["lifts"] > 30
+    assert figures["pen_up_mm"] <= 0.4 * figures["pen_up_unordered_mm"]
+    assert figures["pen_up_mm"] <= figures["pen_up_nearest_mm"]
 
 
 def test_the_name_of_the_file_says_its_kind_unless_another_is_asked_for(scene, tmp_path):

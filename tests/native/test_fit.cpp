@@ -155,6 +155,25 @@ TEST(Fit, OfASmoothWaveHasATenthOfItsNumbers) {
     EXPECT_LE(curve.points.size() * 10, line.size());
 }
 
+TEST(Fit, HasNoMoreNumbersThanLinesWithinTheBound) {
+    // Coarse waves, of which lines leave out a few points and cubics reach over a few sides.
+    for (const double step : {0.5, 1.0, 2.0}) {
+        Points line;
+        for (int i = 0; i < 300; ++i) line.push_back({step * i, 0.3 * std::sin(0.25 * i) + 0.02 * std::sin(2.0 * i)});
+        std::size_t lines = 1, from = 0;
+        for (std::size_t to = 2; to < line.size(); ++to)
+            for (std::size_t i = from + 1; i < to; ++i)
+                if (distance_to_segment(line[i], line[from], line[to]) > 0.9 * tolerance) {
+                    ++lines;
+                    from = to - 1;
+                    break;
+                }
+        const Curve curve = fit(line, false, tolerance);
+        expect_fits(line, curve);
+        EXPECT_LE(curve.points.size() - 1, lines);
+    }
+}
+
 TEST(Fit, OfALongSpiralHasACubicForEachPartOfATurn) {
     // Each cubic is found by trying points near it, not all that come after it.
     Points line;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Outlines of strokes: their areas, and what textures of pens leave of themselves.
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <numbers>
@@ -40,6 +41,21 @@ TEST(Outline, OfALineIsARectangleWithTheCapsOfThePen) {
     EXPECT_NEAR(area(outline(line, widths, false, {false, false}, 0.01)), 20.0, 1e-3);
     EXPECT_NEAR(area(outline(line, widths, false, {true, false}, 0.01)), 20.0 + pi / 2.0, 2e-3);
     EXPECT_NEAR(area(outline(line, widths, false, {true, true}, 0.01)), 20.0 + pi, 2e-3);
+}
+
+TEST(Outline, HasRoundCapsOfOneCubicWhereThatIsNearEnough) {
+    for (const double radius : {0.5, 0.6}) {
+        const double tolerance = 0.01;
+        const std::vector<double> widths{2.0 * radius, 2.0 * radius};
+        const std::vector<Curve> curves = outline(Points{{0, 0}, {10, 0}}, widths, false, {true, true}, tolerance);
+        std::size_t cubics = 0;
+        for (const std::uint8_t cubic : curves.at(0).cubic) cubics += cubic;
+        EXPECT_EQ(cubics, radius < 0.54 ? 2u : 4u);
+        for (const dvec2& p : flattened(curves[0], 1e-5)) {
+            const double x = std::clamp(p.x, 0.0, 10.0);
+            EXPECT_NEAR(glm::distance(p, dvec2(x, 0.0)), radius, tolerance);
+        }
+    }
 }
 
 TEST(Outline, OfATaperIsATrapezoid) {

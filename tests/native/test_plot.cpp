@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a plotter draws: each line once, joined, in an order of short ways.
 #include <algorithm>
+#include <cmath>
 #include <gtest/gtest.h>
 #include <random>
 
@@ -60,6 +61,53 @@ void expect_each_once(const std::vector<Turn>& plan, std::size_t count) {
     std::ranges::sort(drawn);
     ASSERT_EQ(drawn.size(), count);
     for (std::size_t i = 0; i < count; ++i) EXPECT_EQ(drawn[i], i);
+}
+
+dvec2 end_of(In<Stop> strokes, const Turn& turn, bool last) {
+    const Stop& stop = strokes[turn.stroke];
+    return last != turn.reversed ? stop.end : stop.start;
+}
+
+/// The shortest way over all of a few strokes: of each set of them with each of them last, either way around. Held &
+/// Karp, 1962.
+double least_way(In<Stop> strokes, const dvec2& home) {
+    const std::size_t count = strokes.size(), sets = std::size_t(1) << count;
+    std::vector<double> least(sets * 2 * count, HUGE_VAL);
+    double best = HUGE_VAL;
+    for (std::size_t set = 1; set < sets; ++set)
+        for (std::size_t last = 0; last < 2 * count; ++last) {
+            const Turn turn{last / 2, last % 2 == 1};
+            const std::size_t before = set & ~(std::size_t(1) << turn.stroke);
+            if (before == set) continue;
+            const dvec2 start = end_of(strokes, turn, false);
+            double& way = least[set * 2 * count + last];
+            if (before == 0) way = glm::distance(home, start);
+            for (std::size_t k = 0; k < 2 * count; ++k)
+                way = std::min(way, least[before * 2 * count + k] +
+                                        glm::distance(end_of(strokes, {k / 2, k % 2 == 1}, true), start));
+            if (set + 1 == sets) best = std::min(best, way);
+        }
+    return best;
+}
+
+/// Turns parts of a plan around as long as any turn makes it shorter: 2-opt, in full.
+void turn_all(In<Stop> strokes, std::vector<Turn>& plan, const dvec2& home) {
+    const auto last = [&](std::size_t i) { return i == 0 ? home : end_of(strokes, plan[i - 1], true); };
+    for (bool any = true; any;) {
+        any = false;
+        for (std::size_t i = 0; i < plan.size(); ++i)
+            for (std::size_t j = i + 1; j <= plan.size(); ++j) {
+                const dvec2 before = last(i), first = end_of(strokes, plan[i], false), end = last(j);
+                const auto after = [&](const dvec2& from) {
+                    return j < plan.size() ? glm::distance(from, end_of(strokes, plan[j], false)) : 0.0;
+                };
+                if (glm::distance(before, end) + after(first) > glm::distance(before, first) + after(end) - 1e-9)
+                    continue;
+                std::reverse(plan.begin() + std::ptrdiff_t(i), plan.begin() + std::ptrdiff_t(j));
+                for (std::size_t k = i; k < j; ++k) plan[k].reversed = !plan[k].reversed;
+                any = true;
+            }
+    }
 }
 
 }  // namespace
@@ -155,6 +203,33 @@ TEST(PlotOrder, HasEachStrokeOnceAndLessWayThanToTheNearestEnd) {
         EXPECT_LT(way, 0.9 * way_between(strokes, nearest, {0, 200}));
         const std::vector<Turn> again = plot_order(strokes, {0, 200});
         EXPECT_TRUE(equal(plan, again));
+    }
+}
+
+TEST(PlotOrder, OfFewStrokesIsNextToTheBest) {
+    double sum = 0.0, best = 0.0;
+    for (unsigned seed = 0; seed < 20; ++seed) {
+        const std::vector<Stop> strokes = random_strokes(9, seed);
+        const double way = way_between(strokes, plot_order(strokes, {0, 0}), {0, 0}),
+                     least = least_way(strokes, {0, 0});
+        EXPECT_LE(way, 1.3 * least);
+        EXPECT_GE(way, least - 1e-9);
+        sum += way;
+        best += least;
+    }
+    EXPECT_LE(sum, 1.05 * best);
+}
+
+TEST(PlotOrder, IsNoLongerThanTheNearestEndsImprovedByAllTurns) {
+    for (const unsigned seed : {1u, 2u, 3u}) {
+        const std::vector<Stop> strokes = random_strokes(400, seed);
+        std::vector<Turn> plan = nearest_order(strokes, {0, 0});
+        turn_all(strokes, plan, {0, 0});
+        const double way = way_between(strokes, plot_order(strokes, {0, 0}), {0, 0});
+        EXPECT_LE(way, 1.1 * way_between(strokes, plan, {0, 0}));
+        std::vector<Turn> unordered;
+        for (std::size_t i = 0; i < strokes.size(); ++i) unordered.push_back({i, false});
+        EXPECT_LE(way, 0.4 * way_between(strokes, unordered, {0, 0}));
     }
 }
 

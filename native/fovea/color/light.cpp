@@ -112,6 +112,12 @@ float Lighting::banded(float share) const {
     return steps / (n - 1.0f);
 }
 
+int Lighting::band(const dvec3& point, const vec3& normal, const vec3& to_eye) const {
+    if (shading_ != Shading::toon) return 0;
+    const float share = std::min(brightness(irradiance(point, normal, to_eye)), 1.0f);
+    return int(std::lround(banded(share) * float(bands_ - 1)));
+}
+
 vec3 Lighting::at(const dvec3& point, const vec3& normal, const vec3& to_eye) const {
     if (shading_ == Shading::flat) return vec3(1.0f);
     const vec3 direct = irradiance(point, normal, to_eye);

@@ -32,6 +32,9 @@ class Lighting {
     /// Brightness of a white surface: 1 in full light. View space; `normal` and `to_eye` of unit length, `normal`
     /// facing the viewer.
     vec3 at(const dvec3& point, const vec3& normal, const vec3& to_eye) const;
+    /// Number of the band of toon shading there, from the darkest, in the middle of whose step the next begins; of
+    /// other shading 0.
+    int band(const dvec3& point, const vec3& normal, const vec3& to_eye) const;
 
     Shading shading() const { return shading_; }
 

@@ -78,15 +78,24 @@ SeenTriangle ColorShader::triangle(Index placement, Index triangle) const {
     return seen;
 }
 
-vec3 ColorShader::color(const SeenTriangle& triangle, const dvec2& px, const dvec3& share) const {
-    const vec3 inside = normalized(share);
-    const vec3 color = bounded(base(triangle, px, inside));
-    if (lighting_.shading() == Shading::flat || triangle.slot->unlit) return color;
+template <typename Use>
+auto ColorShader::lit(const SeenTriangle& triangle, const dvec2& px, const dvec3& share, const Use& use) const {
     const dvec3 ray = pixel_to_ray_ * dvec3(px, 1.0);
     const double distance = triangle.screen.distance(share);
     const dvec3 point = view_.orthographic ? dvec3(ray.x, ray.y, -distance) : ray * distance;
     const vec3 to_eye = view_.orthographic ? vec3(0, 0, 1) : vec3(glm::normalize(-ray));
-    return bounded(color * lighting_.at(point, normal(triangle, inside, to_eye), to_eye));
+    return use(point, normal(triangle, normalized(share), to_eye), to_eye);
+}
+
+vec3 ColorShader::color(const SeenTriangle& triangle, const dvec2& px, const dvec3& share) const {
+    const vec3 color = bounded(base(triangle, px, normalized(share)));
+    if (lighting_.shading() == Shading::flat || triangle.slot->unlit) return color;
+    return lit(triangle, px, share, [&](const auto&... where) { return bounded(color * lighting_.at(where...)); });
+}
+
+int ColorShader::band(const SeenTriangle& triangle, const dvec2& px, const dvec3& share) const {
+    if (lighting_.shading() != Shading::toon || triangle.slot->unlit) return 0;
+    return lit(triangle, px, share, [&](const auto&... where) { return lighting_.band(where...); });
 }
 
 vec3 ColorShader::base(const SeenTriangle& triangle, const dvec2& px, const vec3& share) const {

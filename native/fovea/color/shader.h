@@ -27,6 +27,8 @@ class ColorShader {
     SeenTriangle triangle(Index placement, Index triangle) const;
     /// Scene-linear; `share` as SeenTriangle::screen.at(px) gives it.
     vec3 color(const SeenTriangle& triangle, const dvec2& px, const dvec3& share) const;
+    /// Number of the band of toon shading there; of other shading, and what light does not change, 0.
+    int band(const SeenTriangle& triangle, const dvec2& px, const dvec3& share) const;
     bool holdout(Index placement) const { return scene_.placements[placement].usage & usage_holdout; }
 
    private:
@@ -35,6 +37,9 @@ class ColorShader {
         glm::mat3 normal_to_view;
         std::shared_ptr<const CornerNormals> normals;  // if the mesh has none of its own
     };
+    /// Calls use(point, normal, direction to the eye) there, in view space.
+    template <typename Use>
+    auto lit(const SeenTriangle& triangle, const dvec2& px, const dvec3& share, const Use& use) const;
     vec3 base(const SeenTriangle& triangle, const dvec2& px, const vec3& share) const;
     vec3 normal(const SeenTriangle& triangle, const vec3& share, const vec3& to_eye) const;
 

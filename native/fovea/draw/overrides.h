@@ -40,6 +40,13 @@ struct Overrides {
         MaterialFilter materials;
     };
     std::vector<Filter> line_sets;
+
+    /// The name of a placement's object; empty: nothing has one.
+    std::string object_of(Index placement) const {
+        if (placement >= objects_of_placement.size()) return {};
+        const auto& list = objects[objects_of_placement[placement]];
+        return list.empty() ? std::string() : list.front();
+    }
 };
 
 }  // namespace fovea::draw

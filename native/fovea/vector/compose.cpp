@@ -10,6 +10,7 @@
 #include <fovea/color/displayed.h>
 #include <fovea/color/srgb.h>
 #include <fovea/style/ranges.h>
+#include <fovea/vector/areas.h>
 #include <fovea/vector/fit.h>
 #include <fovea/vector/plot.h>
 #include <fovea/vector/section.h>
@@ -35,17 +36,19 @@ void take_out_empty(std::vector<Layer>& layers) {
     std::erase_if(layers, [](const Layer& layer) { return layer.paths.empty() && layer.layers.empty(); });
 }
 
-/// The colors and the paper below the lines, if they are more than one color.
-std::optional<Image> image_of(Frame& frame, const Page& page) {
+/// The paper below the lines, and their colors if asked for, if that is more than one color.
+std::optional<Image> image_of(Frame& frame, const Page& page, bool colored) {
     const style::Style& style = frame.job.style;
-    const bool colored = frame.job.colors && style.has_color();
     if (!colored && (style.paper.transparent || style.paper.texture == "none" || style.paper.tint == 0.0)) return {};
     frame.picture();
     const View& view = frame.job.view;
     const bool with_alpha = style.paper.transparent;
-    return Image{
-        color::displayed_bytes(frame.ground(), with_alpha), view.width, view.height, with_alpha ? 4 : 3, page.lower,
-        page.scale * dvec2(view.width, view.height)};
+    return Image{color::displayed_bytes(colored ? frame.ground() : frame.bare_paper(), with_alpha),
+                 view.width,
+                 view.height,
+                 with_alpha ? 4 : 3,
+                 page.lower,
+                 page.scale * dvec2(view.width, view.height)};
 }
 
 /// Names of paths: the id of the line, and the number of the part of it.
@@ -140,9 +143,12 @@ Drawing compose(Frame& frame, const Options& asked) {
     Document& document = made.document;
     document.size = page.size;
     document.in_pixels = options.sheet == Sheet::pixels;
-    if (options.ground && !options.plotter) {
+    const bool with_ground = options.ground && !options.plotter;
+    const bool colored = with_ground && frame.job.colors && frame.job.style.has_color();
+    const bool as_areas = colored && options.colors == Colors::areas;
+    if (with_ground) {
         if (!frame.job.style.paper.transparent) document.paper = color::displayed(frame.job.style.paper.color);
-        document.image = image_of(frame, page);
+        document.image = image_of(frame, page, colored && !as_areas);
     }
     const Cutting cutting = options.plotter                    ? Cutting::elision
                             : options.widths == Widths::center ? Cutting::unseen
@@ -155,6 +161,7 @@ Drawing compose(Frame& frame, const Options& asked) {
     document.layers = options.plotter ? plotted_layers(frame, found.marks, tracing, page.unit_mm)
                                       : drawn_layers(frame, found.marks, tracing);
     if (!options.plotter) document.layers.insert(document.layers.begin(), section_layer(frame, page));
+    if (as_areas) document.layers.insert(document.layers.begin(), colors_layer(frame, page, tracing.tolerance()));
     take_out_empty(document.layers);
     if (options.plotter) number_labels(document.layers);
     made.figures.strokes = strokes.size();

@@ -3,20 +3,21 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ranges>
 
 #include <fovea/vector/fit_cubic.h>
 
 namespace fovea::vector {
 namespace {
 
-constexpr double same = 1e-3;         // tolerances; points that near are one
-constexpr double sharp = 0.87;        // cosine of the turn of a corner: 30 degrees
-constexpr double look = 6.0;          // tolerances over which directions are measured
-constexpr double most_rise = 14.0;    // tolerances; a smooth curve is a 14th of the side times the turn beside it
-constexpr double for_points = 0.9;    // of the tolerance: the rest is for points that are left out
-constexpr std::size_t few_sides = 2;  // of a polyline, which have fewer numbers than a cubic
-constexpr std::size_t at_once = 200;  // points that one cubic is tried for first
-constexpr std::size_t beside = 3;     // points to each side of a joint that tell its tangent
+constexpr double same = 1e-3;       // tolerances; points that near are one
+constexpr double sharp = 0.87;      // cosine of the turn of a corner: 30 degrees
+constexpr double look = 6.0;        // tolerances over which directions are measured
+constexpr double most_rise = 14.0;  // tolerances; a smooth curve is a 14th of the side times the turn beside it
+constexpr double for_points = 0.9;  // of the tolerance: the rest is for points that are left out
+constexpr std::size_t lines_of_a_cubic = 3;  // that have as many numbers
+constexpr std::size_t at_once = 200;         // points that one segment is tried for first
+constexpr std::size_t beside = 3;            // points to each side of a joint that tell its tangent
 
 Points distinct(In<dvec2> points, double near) {
     Points kept;
@@ -124,68 +125,93 @@ dvec2 tangent_at(In<dvec2> points, std::size_t i) {
     return length > 0.0 ? way / length : dvec2(1.0, 0.0);
 }
 
-/// Fits a part of a polyline without corners.
+/// Fits a part of a polyline without corners by as few numbers as it can. How far so many numbers reach is known from
+/// how far fewer do: by a line two more reach on from there, by a cubic six more. That is the least if each part of
+/// what one segment may stand for is such a part, too, which is nearly so.
 class Smooth {
    public:
-    Smooth(In<dvec2> points, double tolerance, Curve& out) : points_(points), tolerance_(tolerance), out_(out) {}
+    Smooth(In<dvec2> points, double tolerance, const Tangents& ends, Curve& out)
+        : points_(points), last_(points.size() - 1), tolerance_(tolerance), ends_(ends), out_(out) {}
 
-    void add(const Tangents& ends) {
-        if (is_straight(points_, tolerance_)) return out_.line_to(points_.back());
-        std::optional<dvec2> direction = ends.start;
-        for (std::size_t from = 0; from + 1 < points_.size();) {
-            const std::size_t to = farthest(from, {direction, ends.end});
-            // Lines where they are fewer numbers, and where no cubic goes even to the next point.
-            if (!best_ || is_straight(part(from, to), 0.5 * tolerance_))
-                out_.line_to(points_[to]);
-            else if (to - from <= few_sides)
-                for (std::size_t i = from + 1; i <= to; ++i) out_.line_to(points_[i]);
+    void add() {
+        std::vector<Reach> by_lines{{}};  // how far 0, 1, 2 ... times two numbers reach
+        while (by_lines.back().to < last_) {
+            Reach reach = line_from(by_lines.back().to, by_lines.size() - 1);
+            if (by_lines.size() >= lines_of_a_cubic) {
+                const std::size_t before = by_lines.size() - lines_of_a_cubic;
+                const Reach other = cubic_from(by_lines[before].to, before);
+                // Of equals the smooth one.
+                if (other.cubic && other.to >= reach.to) reach = other;
+            }
+            by_lines.push_back(reach);
+        }
+        std::vector<const Reach*> way;
+        for (std::size_t i = by_lines.size() - 1; i > 0; i = by_lines[i].before) way.push_back(&by_lines[i]);
+        for (const Reach* reach : std::views::reverse(way)) {
+            const auto& cubic = reach->cubic;
+            if (cubic)
+                out_.cubic_to((*cubic)[1], (*cubic)[2], (*cubic)[3]);
             else
-                out_.cubic_to((*best_)[1], (*best_)[2], (*best_)[3]);
-            direction = best_ ? std::optional(tangent_at(points_, to)) : std::nullopt;
-            from = to;
+                out_.line_to(points_[reach->to]);
         }
     }
 
    private:
+    /// A point that is reached, the number of the reach that its segment begins at, and that if it is a cubic.
+    struct Reach {
+        std::size_t to = 0, before = 0;
+        std::optional<Cubic> cubic = {};
+    };
+
     In<dvec2> part(std::size_t from, std::size_t to) const { return points_.subspan(from, to - from + 1); }
 
-    bool reaches(std::size_t from, std::size_t to, const Tangents& ends) {
-        Tangents tangents = ends;
-        if (to + 1 < points_.size()) tangents.end = tangent_at(points_, to);
-        const std::optional<Cubic> found = fit_cubic(part(from, to), tangents, tolerance_);
-        if (found) best_ = found;
-        return found.has_value();
+    Reach line_from(std::size_t from, std::size_t before) const {
+        const auto reaches = [&](std::size_t to) { return is_straight(part(from, to), tolerance_); };
+        return {farthest(from, from + 1, reaches), before};
     }
 
-    /// The farthest point that one cubic reaches, which is kept: all, or by doubled steps and then halved ones. All of
-    /// a long line is tried after these steps, so that the time grows as its length.
-    std::size_t farthest(std::size_t from, const Tangents& ends) {
-        best_.reset();
-        const std::size_t last = points_.size() - 1;
-        const bool is_long = last - from > at_once;
-        if (!is_long && reaches(from, last, ends)) return last;
-        std::size_t near = from + 1, far = last, step = 2;
-        reaches(from, near, ends);
-        while (near + step < last) {
-            if (!reaches(from, near + step, ends)) {
+    Reach cubic_from(std::size_t from, std::size_t before) const {
+        Reach reach{from, before};
+        Tangents tangents = ends_;
+        if (from > 0) tangents.start = tangent_at(points_, from);
+        const auto reaches = [&](std::size_t to) {
+            tangents.end = to < last_ ? std::optional(tangent_at(points_, to)) : ends_.end;
+            const std::optional<Cubic> found = fit_cubic(part(from, to), tangents, tolerance_);
+            if (found) reach.cubic = found;
+            return found.has_value();
+        };
+        reach.to = farthest(from, from, reaches);
+        return reach;
+    }
+
+    /// The farthest point for which `reaches` holds, as it does for `near`: all, or by doubled steps and then halved
+    /// ones. All of a long line is tried after these steps, so that the time grows as its length.
+    template <typename Reaches>
+    std::size_t farthest(std::size_t from, std::size_t near, const Reaches& reaches) const {
+        if (near == last_) return last_;
+        const bool is_long = last_ - from > at_once;
+        if (!is_long && reaches(last_)) return last_;
+        std::size_t far = last_;
+        for (std::size_t step = 2; near + step < last_; step *= 2) {
+            if (!reaches(near + step)) {
                 far = near + step;
                 break;
             }
             near += step;
-            step *= 2;
         }
-        if (is_long && far == last && reaches(from, last, ends)) return last;
+        if (is_long && far == last_ && reaches(last_)) return last_;
         while (far - near > 1) {
             const std::size_t middle = near + (far - near) / 2;
-            (reaches(from, middle, ends) ? near : far) = middle;
+            (reaches(middle) ? near : far) = middle;
         }
         return near;
     }
 
     In<dvec2> points_;
+    std::size_t last_;
     double tolerance_;
+    Tangents ends_;
     Curve& out_;
-    std::optional<Cubic> best_;
 };
 
 /// The point of a closed polyline, without its last one, where it turns least.
@@ -216,13 +242,13 @@ Curve fit_closed(Points points, double tolerance) {
         const std::size_t middle = around.size();
         around.insert(around.end(), points.begin(), points.begin() + std::ptrdiff_t(std::min(beside + 1, count)));
         const dvec2 tangent = tangent_at(around, middle);
-        Smooth(points, tolerance, curve).add({tangent, tangent});
+        Smooth(points, tolerance, {tangent, tangent}, curve).add();
         return curve;
     }
     corners.push_back(start + count);
     for (std::size_t k = 0; k + 1 < corners.size(); ++k)
-        Smooth(In<dvec2>(points).subspan(corners[k] - start, corners[k + 1] - corners[k] + 1), tolerance, curve)
-            .add({});
+        Smooth(In<dvec2>(points).subspan(corners[k] - start, corners[k + 1] - corners[k] + 1), tolerance, {}, curve)
+            .add();
     return curve;
 }
 
@@ -243,7 +269,7 @@ Curve fit(In<dvec2> points, bool closed, double tolerance) {
     Curve curve{{kept[0]}, {}, false};
     std::size_t from = 0;
     for (const std::size_t to : corners) {
-        Smooth(In<dvec2>(kept).subspan(from, to - from + 1), bound, curve).add({});
+        Smooth(In<dvec2>(kept).subspan(from, to - from + 1), bound, {}, curve).add();
         from = to;
     }
     return curve;

@@ -9,6 +9,9 @@ namespace fovea::vector {
 /// Sizes of paper.
 enum class Sheet : std::uint8_t { page, pixels, a0, a1, a2, a3, a4, a5, letter };
 
+/// What becomes of colors below the lines.
+enum class Colors : std::uint8_t { picture, areas };
+
 /// What becomes of strokes whose width changes.
 enum class Widths : std::uint8_t { outline, center };
 
@@ -20,6 +23,7 @@ struct Options {
     Widths widths = Widths::outline;
     bool dashes_apart = false;
     bool ground = true;
+    Colors colors = Colors::picture;
     bool plotter = false;
 
     bool operator==(const Options&) const = default;
@@ -37,7 +41,8 @@ struct Options {
         style::Field{"widths", &Options::widths, "Changing Widths", "What becomes of strokes whose width changes"},
         style::Field{"dashes_apart", &Options::dashes_apart, "Dashes Apart", "Each dash is a line of its own"},
         style::Field{"ground", &Options::ground, "Paper and Colors",
-                     "The color of the paper, and colors below the lines as a picture"},
+                     "The color of the paper, and colors below the lines"},
+        style::Field{"colors", &Options::colors, "Colors As", "What becomes of the colors below the lines"},
         style::Field{"plotter", &Options::plotter, "For a Plotter",
                      "Lines of one width in an order of short ways, joined where they meet, each once"}};
 };
@@ -56,6 +61,12 @@ inline constexpr Choice choices_of<vector::Sheet>[] = {
     {"a4", "A4", "210 x 297 mm"},
     {"a5", "A5", "148 x 210 mm"},
     {"letter", "Letter", "8.5 x 11 inches"},
+};
+
+template <>
+inline constexpr Choice choices_of<vector::Colors>[] = {
+    {"picture", "Picture", "They are one picture"},
+    {"areas", "Areas", "Each object, material and band of toon shading is a filled area of one color"},
 };
 
 template <>

@@ -15,6 +15,8 @@ namespace {
 constexpr double straight = 0.995;        // cosine of a bend that needs no room
 constexpr double kept_share = 0.98;       // of half the width; points of a side that are nearer to the line are inside
 constexpr double quarter = 0.5522847498;  // handles of a cubic for a quarter of a circle, in radii
+constexpr double half = 4.0 / 3.0;        // and for half of one,
+constexpr double half_off = 0.0185;       // which is that far beside it
 constexpr int steps_beside = 4;           // points at either end of a side before a bend, half a radius apart
 
 dvec2 left_of(const dvec2& d) { return {-d.y, d.x}; }
@@ -128,11 +130,13 @@ void append(const Curve& more, Curve& curve) {
     curve.cubic.insert(curve.cubic.end(), more.cubic.begin(), more.cubic.end());
 }
 
-/// From the curve's end around the end of a line to `to`: its direction there, outwards.
-void cap(Curve& curve, const dvec2& to, const dvec2& direction, bool round) {
+/// From the curve's end around the end of a line to `to`, within `tolerance`: its direction there, outwards.
+void cap(Curve& curve, const dvec2& to, const dvec2& direction, bool round, double tolerance) {
     if (!round) return curve.line_to(to);
     const dvec2 from = curve.end(), middle = 0.5 * (from + to), side = 0.5 * (from - to);
-    const dvec2 tip = middle + glm::length(side) * direction, handle = quarter * glm::length(side) * direction;
+    const dvec2 out = glm::length(side) * direction;
+    if (half_off * glm::length(side) <= tolerance) return curve.cubic_to(from + half * out, to + half * out, to);
+    const dvec2 tip = middle + out, handle = quarter * out;
     curve.cubic_to(from + handle, tip + quarter * side, tip);
     curve.cubic_to(tip - quarter * side, to + handle, to);
 }
@@ -155,9 +159,9 @@ std::vector<Curve> outline(In<dvec2> points, In<double> widths, bool closed, Rou
     Curve curve = fit(left, false, tolerance);
     const Curve back = fit(right, false, tolerance);
     if (curve.empty() || back.empty()) return {};
-    cap(curve, back.start(), fine.direction(fine.size() - 2), round.end);
+    cap(curve, back.start(), fine.direction(fine.size() - 2), round.end, tolerance);
     append(back, curve);
-    cap(curve, curve.start(), -fine.direction(0), round.start);
+    cap(curve, curve.start(), -fine.direction(0), round.start, tolerance);
     curve.closed = true;
     return {curve};
 }

@@ -116,12 +116,7 @@ Path Tracing::owner_of(const Mark& mark) const {
     const auto& definitions = line_definitions();
     for (std::size_t bit = 0; bit < definitions.size() && path.kind.empty(); ++bit)
         if (kinds >> bit & 1u) path.kind = definitions[bit]->name;
-    const Overrides& overrides = frame_.job.overrides;
-    const Index placement = paths.placement[path_number];
-    if (placement < overrides.objects_of_placement.size()) {
-        const auto& names = overrides.objects[overrides.objects_of_placement[placement]];
-        if (!names.empty()) path.object = names.front();
-    }
+    path.object = frame_.job.overrides.object_of(paths.placement[path_number]);
     return path;
 }
 
