@@ -45,7 +45,7 @@ class Reader:
                 depsgraph, cache, with_marks=with_marks, viewport=viewport, images=self.colors.images, **beside
             )
             placed, told = scene.placed(core, found), noted.notes(properties.density_map(depsgraph), found)
-            sources = colors and colors.sources(depsgraph.scene, found.surface_of_placement)
+            sources = colors and colors.sources(depsgraph.scene, found)
         remarks = (*cache.remarks, *(colors.remarks() if colors else ()))
         seconds = time.perf_counter() - start
         changed = bool(cache.rebuilt or cache.moved)
