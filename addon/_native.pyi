@@ -954,6 +954,22 @@ class Usage:
     OCCLUDE: ClassVar[Usage]
     HOLDOUT: ClassVar[Usage]
 
+class Light:
+    """A light; see native/fovea/scene/light.h."""
+    def __init__(
+        self,
+        kind: str,
+        position: Annotated[Sequence[float], 'FixedSize(3)'],
+        direction: Annotated[Sequence[float], 'FixedSize(3)'],
+        color: Annotated[Sequence[float], 'FixedSize(3)'],
+        cos_outer: float=-1.0,
+        cos_inner: float=-1.0,
+        half_x: Annotated[Sequence[float], 'FixedSize(3)']=(0.0, 0.0, 0.0),
+        half_y: Annotated[Sequence[float], 'FixedSize(3)']=(0.0, 0.0, 0.0),
+        casts: bool=True,
+        id: int=0,
+    ) -> None: ...
+
 class Scene:
     """Placements of surfaces: what one frame sees."""
     def __init__(
@@ -965,11 +981,12 @@ class Scene:
         usage: Annotated[ArrayLike, numpy.uint8],
         groups: Annotated[ArrayLike, numpy.uint64] | None=None,
         section: Annotated[Sequence[float], 'FixedSize(4)'] | None=None,
+        lights: Sequence[Light]=[],
     ) -> None:
         """surface_of_placement (n,) int32 into surfaces; object_to_world (n, 4, 4) float64; ids (n,) uint64 persistent
         ids; usage (n,) uint8, bits of Usage; groups (n,) uint64: placements of the same one have one outline together,
         0: of none. section: a plane (x, y, z, w) in the world; where x, y and z times a point, plus w, is positive, all
-        is cut away."""
+        is cut away. lights: by which light contours and cast shadows are found."""
     def __len__(self) -> int: ...
     def surface(self, placement: int) -> Surface: ...
 
@@ -1263,18 +1280,6 @@ class SurfaceColor:
         attributes: Sequence[Annotated[ArrayLike, numpy.float32]]=[],
     ) -> None:
         """normals (C, 3), each of uvs (C, 2), each of attributes (C, 3): float32 per corner of the mesh."""
-
-class Light:
-    """A light; see native/fovea/color/light.h."""
-    def __init__(
-        self,
-        kind: str,
-        position: Annotated[Sequence[float], 'FixedSize(3)'],
-        direction: Annotated[Sequence[float], 'FixedSize(3)'],
-        color: Annotated[Sequence[float], 'FixedSize(3)'],
-        cos_outer: float=-1.0,
-        cos_inner: float=-1.0,
-    ) -> None: ...
 
 class StoredPng:
     """The pixels of a PNG file as it stores them."""

@@ -47,7 +47,7 @@ class Reader:
             )
             placed = scene.placed(core, found)
             told, unpainted = noted.notes(properties.density_map(depsgraph), found)
-            sources = colors and colors.sources(depsgraph.scene, found.surface_of_placement)
+            sources = colors and colors.sources(depsgraph.scene, found)
         remarks = (*cache.remarks, *unpainted, *(colors.remarks() if colors else ()))
         seconds = time.perf_counter() - start
         changed = bool(cache.rebuilt or cache.moved)

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Reads the colors of a scene for native ColorSources: materials, images, attributes, lights and the world."""
+"""Reads the colors of a scene for native ColorSources: materials, images, attributes and the world."""
 
-import math
 import weakref
 
 from . import color_nodes, kept, materials, shader_links
@@ -43,7 +42,7 @@ class Gathering:
         self._core, self._cache = core, cache
         cache.used = kept.now()
         self._sources = {}  # by material
-        self.surfaces, self.lights = [], []
+        self.surfaces = []
         self.unfollowed = set()  # materials whose nodes were not followed
 
     def add_surface(self, obj, mesh, surface, cage, repaired):
@@ -61,22 +60,10 @@ class Gathering:
         normals = corners.normals()
         self.surfaces.append(self._core.SurfaceColor(slots, normals, corners.uvs, corners.attributes))
 
-    def add_light(self, data, matrix):
-        """Adds a light (bpy.types.Light) with its object-to-world matrix."""
-        strength = data.energy * 2.0 ** getattr(data, "exposure", 0.0)
-        # Blender's watts to intensity: point and spot lights radiate into 4 pi, area lights into a hemisphere (pi).
-        spread = {"SUN": 1.0, "POINT": 4 * math.pi, "SPOT": 4 * math.pi, "AREA": math.pi}[data.type]
-        cone = ()
-        if data.type == "SPOT":
-            outer = math.cos(data.spot_size / 2)
-            cone = (outer, outer + (1 - outer) * data.spot_blend)
-        shade = tuple(channel * strength / spread for channel in data.color)
-        self.lights.append(self._core.Light(data.type.lower(), matrix[:3, 3], -matrix[:3, 2], shade, *cone))
-
-    def sources(self, scene, surface_of_placement):
-        """The native ColorSources; `surface_of_placement`: (n,) index of each placement's surface."""
-        surfaces = [self.surfaces[i] for i in surface_of_placement.tolist()]
-        made = self._core.ColorSources(surfaces, self.lights, _world(scene))
+    def sources(self, scene, snapshot):
+        """The native ColorSources of a Snapshot."""
+        surfaces = [self.surfaces[i] for i in snapshot.surface_of_placement.tolist()]
+        made = self._core.ColorSources(surfaces, snapshot.native_lights(self._core), _world(scene))
         self._cache.shown[id(made)] = made
         return made
 

@@ -15,6 +15,7 @@ from . import (
     followed,
     instances,
     kept,
+    lights,
     materials,
     own_lines,
     repair,
@@ -45,7 +46,7 @@ class _Gathering:
         self.known_own, self.known_guides, self.left_out = {}, None, {}
         self.outlines = bare_shapes.outlines()
         self.together = None  # {object: collection with one outline}, by full names
-        self.lights = {}  # kind of instances: its light
+        self.lights = {}  # kind of instances: its light and the hash of its names
         self.section, self.plane = section.of(depsgraph), section.plane_of(depsgraph)
         self.origins, self.origins_of_kind = [], []  # Origins; by kind of instances, its first and how many
 
@@ -53,7 +54,9 @@ class _Gathering:
         """Adds the Origins of a kind of instances, by the first of them."""
         first = len(self.origins)
         if instance.object.type == "LIGHT" and instance.show_self:
-            self.lights[len(self.origins_of_kind)] = instance.object.data
+            parent = instance.parent.name_full if instance.is_instance and instance.parent else ""
+            names = self.name_hash(instance.object.name_full, parent)
+            self.lights[len(self.origins_of_kind)] = instance.object.data, names
         usage = self.usage(instance)
         if usage and instance.show_self:
             self.add_data(instance, usage)
@@ -244,6 +247,13 @@ class _Gathering:
             self.known_names[names] = int.from_bytes(digest, "little")
         return self.known_names[names]
 
+    def lamps(self, matrices, persistent, kinds):
+        """The Lamps of all instances; arguments as for `snapshot`."""
+        steps = np.flatnonzero(np.isin(kinds, list(self.lights)))
+        of_steps = [self.lights[kind] for kind in kinds[steps].tolist()]
+        ids = instances.ids(np.array([names for _, names in of_steps], np.uint64), persistent[steps])
+        return [lights.lamp(data, matrices[step], of) for (data, _), step, of in zip(of_steps, steps, ids)]
+
     def snapshot(self, matrices, persistent, kinds):
         """The Snapshot. `matrices` (k, 4, 4), `persistent` (k, 8), `kinds` (k,): of all k instances of a depsgraph."""
         first, count = np.array(self.origins_of_kind, np.int64).reshape(-1, 2)[kinds].T
@@ -253,7 +263,13 @@ class _Gathering:
         names = np.array([origin.names for origin in self.origins], np.uint64)[origin_of]
         usage = np.array([origin.usage for origin in self.origins], np.uint8)[origin_of]
         ids = instances.ids(names, persistent[steps])
-        told = self.left_out, self.plane, [self.cache.at_rest.decided.get(id(surface)) for surface in self.surfaces]
+        lamps = self.lamps(matrices, persistent, kinds)
+        told = (
+            self.left_out,
+            self.plane,
+            lamps,
+            [self.cache.at_rest.decided.get(id(surface)) for surface in self.surfaces],
+        )
         return Snapshot(self.surfaces, self.slots, self.origins, origin_of, matrices[steps], ids, usage, *told)
 
 
@@ -272,8 +288,6 @@ def gather(
     gathering = _Gathering(cache, depsgraph, viewport, with_marks, beside, images, sizes, ahead)
     cache.begin()
     matrices, persistent, kinds = instances.read(depsgraph.object_instances, gathering.meet, cancel)
-    for step in np.flatnonzero(np.isin(kinds, list(gathering.lights))) if colors else ():
-        colors.add_light(gathering.lights[kinds[step]], matrices[step])
     # View layers and viewports may show different parts of a scene in alternating passes.
     cache.end(len(depsgraph.scene.view_layers) * (1 if viewport is None else VIEWPORTS))
     found = gathering.snapshot(matrices, persistent, kinds)
@@ -300,6 +314,7 @@ def placed(core, snapshot):
             found.usage,
             found.of_origins("group", np.uint64),
             found.section,
+            found.native_lights(core),
         )
 
 

@@ -36,7 +36,12 @@ class Snapshot:
     usage: np.ndarray  # (n,) uint8: the Origins', which a caller may narrow
     left_out: dict  # object name -> why some of it has no lines
     section: tuple | None  # the section plane (x, y, z, w) in world space; see section.py
+    lights: list  # lights.Lamp
     at_rest: list  # m: (shape, reason) as decided of the mesh at rest; None: of the surface itself, or as asked for
+
+    def native_lights(self, core):
+        """The lights as native Lights."""
+        return [core.Light(*lamp) for lamp in self.lights]
 
     def of_origins(self, member, dtype):
         """(n,) array of a member of the placements' Origins."""

@@ -37,6 +37,8 @@ def parse(words):
     drawn.add_argument("--style", metavar="NAME|FILE.json", help="with --visible: the lines of a style")
     parser.add_argument("--eye", type=_vector, required=True, metavar="X,Y,Z", help="object space")
     parser.add_argument("--ortho", action="store_true", help="X,Y,Z is the direction towards the viewer")
+    parser.add_argument("--light", action="append", type=_vector, default=[], metavar="X,Y,Z", help="a point light")
+    parser.add_argument("--sun", action="append", type=_vector, default=[], metavar="X,Y,Z", help="towards a sun")
     parser.add_argument("--param", action="append", type=quantities.assignment, default=[], metavar="NAME=VALUE")
     turn = quantities.finite("degrees")
     parser.add_argument("--corner-angle", type=turn, default=60.0, metavar="DEG", help="paths end at sharper turns")
@@ -50,9 +52,10 @@ def parse(words):
     parser.add_argument("--fov", type=_angle, metavar="DEG", help="over the frame's shorter side (all of the model)")
     parser.add_argument("-o", "--output", type=_output, required=True, metavar="OUT.npz")
     # argparse would parse "-1,2,3" as an option.
-    eyes = [f"--eye={value}" for word, value in zip(words, words[1:]) if word == "--eye"]
-    others = [word for before, word in zip(["", *words], words) if "--eye" not in (before, word)]
-    options = parser.parse_args(eyes + others)
+    vectors = "--eye", "--light", "--sun"
+    places = [f"{word}={value}" for word, value in zip(words, words[1:]) if word in vectors]
+    others = [word for before, word in zip(["", *words], words) if before not in vectors and word not in vectors]
+    options = parser.parse_args(places + others)
     for name in ("hidden", "style"):
         if getattr(options, name) and not options.visible:
             parser.error(f"--{name} goes with --visible")
@@ -137,8 +140,15 @@ def _look(native, surface, positions, options):
     """(native Scene of the model alone, native View, (4, 4) view-to-object matrix). Reference pixels are as in a
     Blender render of this height."""
     usage = native.Usage.DRAW | native.Usage.OCCLUDE
+    points = [native.Light("point", place, (0, 0, -1), (1, 1, 1), id=i) for i, place in enumerate(options.light)]
+    suns = [native.Light("sun", (0, 0, 0), -way, (1, 1, 1), id=len(points) + i) for i, way in enumerate(options.sun)]
     scene = native.Scene(
-        [surface], np.zeros(1, np.int32), np.eye(4)[None], np.ones(1, np.uint64), np.full(1, usage, np.uint8)
+        [surface],
+        np.zeros(1, np.int32),
+        np.eye(4)[None],
+        np.ones(1, np.uint64),
+        np.full(1, usage, np.uint8),
+        lights=points + suns,
     )
     # Whole paths do not depend on the frame; a wide one contains more of a near model.
     fov = options.fov if options.visible or options.fov else 90.0

@@ -58,6 +58,7 @@ _CHOSEN = {  # definition -> its picture; the others are drawn on the monkey
     "abstracted_shading": Picture(*BUNNY),
     "section_cut": Picture(*CUT_PART),
     "section_hatch": Picture(*CUT_PART, ("contour", "crease", "section_cut")),
+    "cast_shadow": Picture(LESSON + "shadows", _seen(-40, 28), ("contour", "crease")),
 }
 # Every definition that has a page.
 LINES = {

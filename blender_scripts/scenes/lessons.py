@@ -142,6 +142,22 @@ def pebble():
     stage.link("Pebble", ball)
 
 
+def shadows():
+    """A ball, a leaning bar and a ring above a floor with two steps, in the sun."""
+    for place, size in (
+        ((0, 0, -0.15), (5.2, 3.6, 0.3)),
+        ((0, 1.2, 0.15), (5.2, 1.2, 0.3)),
+        ((0, 1.5, 0.45), (5.2, 0.6, 0.3)),
+    ):
+        stage.link("Step", shapes.moved(shapes.box("Step", size), (place[0], place[1], place[2] - size[2] / 2)))
+    stage.link("Ball", shapes.moved(shapes.ball("Ball", 0.45, SEGMENTS), (-1.5, -0.4, 0.8)))
+    bpy.ops.mesh.primitive_torus_add(major_radius=0.5, minor_radius=0.12, major_segments=96, minor_segments=32)
+    bpy.context.object.location, bpy.context.object.rotation_euler = (0.1, -0.4, 0.9), (math.radians(70), 0, 0.5)
+    bpy.ops.mesh.primitive_cube_add(size=1, location=(1.6, -0.35, 0.88))
+    bpy.context.object.scale, bpy.context.object.rotation_euler = (0.16, 0.16, 1.9), (math.radians(-25), 0, 0)
+    stage.sun(-115, 48)
+
+
 MODELS = {
     "cloth": cloth,
     "balls": balls,
@@ -151,4 +167,5 @@ MODELS = {
     "ring": ring,
     "drapery": drapery,
     "pebble": pebble,
+    "shadows": shadows,
 }

@@ -30,11 +30,6 @@ std::shared_ptr<SurfaceColor> make_surface_color(const std::vector<ColorSlot>& s
     return color;
 }
 
-Light make_light(const py::str& kind, const dvec3& position, const dvec3& direction, const vec3& color, float cos_outer,
-                 float cos_inner) {
-    return {value_from<Light::Kind>(kind, "light: kind"), position, direction, color, cos_outer, cos_inner};
-}
-
 StoredPng stored(const py::bytes& file) {
     const std::string_view bytes(file);
     return without_gil(
@@ -64,9 +59,6 @@ void bind_color(py::module_& m) {
         .def(py::init(&make_surface_color), py::arg("slots"), py::arg("normals") = py::none(),
              py::arg("uvs") = std::vector<Arg<vec2>>(), py::arg("attributes") = std::vector<Arg<vec3>>(),
              "normals (C, 3), each of uvs (C, 2), each of attributes (C, 3): float32 per corner of the mesh.");
-    py::class_<Light>(m, "Light", "A light; see native/fovea/color/light.h.")
-        .def(py::init(&make_light), py::arg("kind"), py::arg("position"), py::arg("direction"), py::arg("color"),
-             py::arg("cos_outer") = -1.0f, py::arg("cos_inner") = -1.0f);
     py::class_<StoredPng>(m, "StoredPng", "The pixels of a PNG file as it stores them.")
         .def_readonly("width", &StoredPng::width)
         .def_readonly("height", &StoredPng::height)

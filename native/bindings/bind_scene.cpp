@@ -2,12 +2,14 @@
 // Views, scenes and ray casting.
 #include <glm/gtc/type_ptr.hpp>
 
+#include <fovea/color/light.h>
 #include <fovea/draw/along_lines.h>
 #include <fovea/path/extract.h>
 #include <fovea/scene/tracer.h>
 
 #include "bindings/arrays.h"
 #include "bindings/bind.h"
+#include "bindings/records.h"
 
 namespace fovea::bindings {
 namespace {
@@ -26,8 +28,8 @@ dmat4 matrix(const Matrix& array, const char* name) {
 std::shared_ptr<Scene> make_scene(const std::vector<std::shared_ptr<Surface>>& surfaces,
                                   const Arg<int>& surface_of_placement, const Matrix& object_to_world,
                                   const Arg<std::uint64_t>& ids, const Arg<std::uint8_t>& usage,
-                                  const std::optional<Arg<std::uint64_t>>& groups,
-                                  const std::optional<dvec4>& section) {
+                                  const std::optional<Arg<std::uint64_t>>& groups, const std::optional<dvec4>& section,
+                                  std::vector<Light> lights) {
     const auto count = static_cast<std::size_t>(surface_of_placement.size());
     check(object_to_world.ndim() == 3 && std::size_t(object_to_world.shape(0)) == count &&
               object_to_world.shape(1) == 4 && object_to_world.shape(2) == 4,
@@ -49,7 +51,21 @@ std::shared_ptr<Scene> make_scene(const std::vector<std::shared_ptr<Surface>>& s
         check(std::isfinite(length + section->w) && length > 0.0, "section: expected a plane with a normal");
         scene->section = *section / length;
     }
+    scene->lights = std::move(lights);
     return scene;
+}
+
+Light make_light(const py::str& kind, const dvec3& position, const dvec3& direction, const vec3& color, float cos_outer,
+                 float cos_inner, const dvec3& half_x, const dvec3& half_y, bool casts, std::uint64_t id) {
+    return {value_from<Light::Kind>(kind, "light: kind"),
+            position,
+            direction,
+            color,
+            cos_outer,
+            cos_inner,
+            {half_x, half_y},
+            casts,
+            id};
 }
 
 View make_view(const Matrix& world_to_view, const Matrix& view_to_clip, int width, int height, bool orthographic,
@@ -107,13 +123,19 @@ void bind_scene(py::module_& m) {
         .value("DRAW", usage_draw, "its lines are drawn")
         .value("OCCLUDE", usage_occlude, "it hides what lies behind")
         .value("HOLDOUT", usage_holdout, "it cuts a hole where it is seen");
+    py::class_<Light>(m, "Light", "A light; see native/fovea/scene/light.h.")
+        .def(py::init(&make_light), py::arg("kind"), py::arg("position"), py::arg("direction"), py::arg("color"),
+             py::arg("cos_outer") = -1.0f, py::arg("cos_inner") = -1.0f, py::arg("half_x") = dvec3(0.0),
+             py::arg("half_y") = dvec3(0.0), py::arg("casts") = true, py::arg("id") = 0);
     py::class_<Scene, std::shared_ptr<Scene>>(m, "Scene", "Placements of surfaces: what one frame sees.")
         .def(
             py::init(&make_scene), py::arg("surfaces"), py::arg("surface_of_placement"), py::arg("object_to_world"),
             py::arg("ids"), py::arg("usage"), py::arg("groups") = py::none(), py::arg("section") = py::none(),
+            py::arg("lights") = std::vector<Light>(),
             R"(surface_of_placement (n,) int32 into surfaces; object_to_world (n, 4, 4) float64; ids (n,) uint64 persistent ids;
 usage (n,) uint8, bits of Usage; groups (n,) uint64: placements of the same one have one outline together, 0: of none. section: a plane
-(x, y, z, w) in the world; where x, y and z times a point, plus w, is positive, all is cut away.)")
+(x, y, z, w) in the world; where x, y and z times a point, plus w, is positive, all is cut away. lights: by which light
+contours and cast shadows are found.)")
         .def("__len__", [](const Scene& scene) { return scene.placements.size(); })
         .def(
             "surface",

@@ -34,11 +34,12 @@ def landscape_mesh():
 
 @pytest.fixture(scope="module")
 def blend(tmp_path_factory):
-    """A file with the landscape and a box that cuts it, its lid cut off, seen from above."""
+    """A file with the landscape and a box that cuts it, its lid cut off, in a low sun, seen from above."""
     scene = empty_scene()
     new_object(landscape_mesh(), "Landscape")
     new_object(box_mesh(0.4), "Box", (1.1, -1.0, 0.2)).rotation_euler.z = 0.4
     scene.fovea.section = new_object(None, "Cut", (0, 0, 0.5))
+    new_object(bpy.data.lights.new("Sun", "SUN"), "Sun").rotation_euler = (1.2, 0.3, 0)
     add_camera((3.4, -5, 3.6), (0, -0.1, 0))
     scene.render.resolution_x, scene.render.resolution_y = 320, 200
     use_style(scene, "plain").line_sets[-1].pen.width = 10.0

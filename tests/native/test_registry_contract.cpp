@@ -49,7 +49,13 @@ std::vector<Placement> small_scene() {
             place(cube, moved({-1, 1, 0.2}), 3), place(grid(4, 4.0f), moved({0, 0, -1}), 4)};
 }
 
-/// Paths of one definition in a scene that is cut open, and the camera they were found for.
+Scene lit(Scene scene) {
+    scene.lights = {{.kind = Light::sun, .direction = {-0.4, 0.5, -0.3}, .id = 1},
+                    {.kind = Light::point, .position = {2, -1, 0.8}, .id = 2}};
+    return scene;
+}
+
+/// Paths of one definition in a scene that has lights and is cut open, and the camera they were found for.
 struct Found {
     Scene scene;
     View view;
@@ -57,7 +63,7 @@ struct Found {
     Paths paths;
 
     Found(std::vector<Placement> placements, const View& seen, const LineSet& set)
-        : scene(cut_open(std::move(placements), dvec4(0.0, 0.0, 1.0, -0.9))),
+        : scene(lit(cut_open(std::move(placements), dvec4(0.0, 0.0, 1.0, -0.9)))),
           view(seen),
           tracer(scene, view),
           paths(extract_paths(scene, view, {set}, tracer, Cancel())) {}

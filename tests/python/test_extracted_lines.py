@@ -14,14 +14,23 @@ f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n"""
 
 
 @pytest.fixture
-def extract(tmp_path):
-    def from_cube(*words):
-        model = tmp_path / "cube.obj"
-        model.write_text(CUBE)
-        options = lines.parse([str(model), "-o", str(tmp_path / "out.npz"), *words])
-        return lines.extract(native.load(), options)[0]
+def extract_from(tmp_path):
+    def from_text(text):
+        model = tmp_path / "model.obj"
+        model.write_text(text)
 
-    return from_cube
+        def run(*words):
+            options = lines.parse([str(model), "-o", str(tmp_path / "out.npz"), *words])
+            return lines.extract(native.load(), options)[0]
+
+        return run
+
+    return from_text
+
+
+@pytest.fixture
+def extract(extract_from):
+    return extract_from(CUBE)
 
 
 def segments(found):
@@ -171,3 +180,24 @@ def test_words_that_make_no_sense_are_named(extract, words, capsys):
     with pytest.raises(SystemExit):
         extract("--definition", "crease", "--eye", "3,4,5", *words)
     assert words[-1] in capsys.readouterr().err
+
+
+FLOOR = "v -9 -9 -3\nv 9 -9 -3\nv 9 9 -3\nv -9 9 -3\nf 9 10 11 12\n"
+
+
+@pytest.mark.parametrize("light, perimeter", [(("--sun", "0,0,1"), 8.0), (("--light", "0,0,5"), 16.0)])
+def test_a_cube_over_a_floor_casts_a_square(extract_from, light, perimeter):
+    found = extract_from(CUBE + FLOOR)("--definition", "cast_shadow", "--eye", "3,4,5", *light)
+    assert found["closed"].tolist() == [True]
+    assert np.allclose(found["points"][:, 2], -3)
+    assert np.linalg.norm(np.diff(found["points"], axis=0), axis=1).sum() == pytest.approx(perimeter, abs=1e-3)
+
+
+def test_the_light_contour_of_a_cube_is_a_ring_of_six_edges(extract):
+    found = extract("--definition", "light_contour", "--eye", "3,4,5", "--sun", "-1,0.5,2")
+    assert len(segments(found)) == 6 and found["closed"].tolist() == [True]
+
+
+@pytest.mark.parametrize("definition", ["cast_shadow", "light_contour"])
+def test_without_lights_there_are_no_lines_of_light(extract, definition):
+    assert not segments(extract("--definition", definition, "--eye", "3,4,5"))

@@ -38,7 +38,9 @@ def model(tmp_path_factory):
 @pytest.fixture
 def extract(model, tmp_path):
     def run(*words):
-        options = lines.parse([str(model), "-o", str(tmp_path / "out.npz"), "--eye", "3,-5,4", *words])
+        options = lines.parse(
+            [str(model), "-o", str(tmp_path / "out.npz"), "--eye", "3,-5,4", "--sun", "-2,1,0.8", *words]
+        )
         return lines.extract(native.load(), options)[0]
 
     return run

@@ -10,16 +10,6 @@ namespace fovea::color {
 
 using style::Shading;
 
-struct Light {
-    enum Kind : std::uint8_t { sun, point, spot, area };
-    Kind kind = sun;
-    dvec3 position{0.0};        ///< world
-    dvec3 direction{0, 0, -1};  ///< world: direction of emission; unused for points
-    vec3 color{1.0f};           ///< of a sun the irradiance, W/m2; of others the intensity along their axis, W/sr
-    float cos_outer = -1.0f;    ///< cosine of the angle to a spot's axis at which its light ends
-    float cos_inner = -1.0f;    ///< and at which it begins to fall off
-};
-
 /// The lights of a scene in view space, with automatic exposure: light that irradiates the middle of a typical
 /// placement (the median) head on makes it as bright as its base color, whatever the units. The exposure depends on the
 /// scene, not on the view, so that a moving camera does not change it. Without any effective light there is one at the
@@ -54,5 +44,5 @@ class Lighting {
 
 namespace fovea::style {
 template <>
-inline constexpr Choice choices_of<color::Light::Kind>[] = {{"sun"}, {"point"}, {"spot"}, {"area"}};
+inline constexpr Choice choices_of<scene::Light::Kind>[] = {{"sun"}, {"point"}, {"spot"}, {"area"}};
 }  // namespace fovea::style

@@ -16,6 +16,8 @@ struct CurvePiece {
     float strength[2];   ///< in [0, 1]
     Index level = 0;     ///< segments of different levels belong to different curves, even if they cross the same sides
     Index other = none;  ///< for a line on two surfaces: the triangle of the second
+    /// Of lines that are not told apart by their triangles: from which ids are hashed, unique per piece. 0: of others.
+    std::uint64_t key = 0;
 };
 
 using Curves = Array<CurvePiece>;

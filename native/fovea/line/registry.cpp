@@ -33,7 +33,9 @@
     define(image_edge)                 \
     define(abstracted_shading)         \
     define(section_cut)                \
-    define(section_hatch)
+    define(section_hatch)              \
+    define(light_contour)              \
+    define(cast_shadow)
 // clang-format on
 
 namespace fovea::line {

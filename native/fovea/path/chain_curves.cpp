@@ -72,6 +72,7 @@ Array<End> link(const Curves& pieces) {
 
 /// Key that is unique per piece.
 std::uint64_t key_of(const CurvePiece& piece) {
+    if (piece.key != 0) return piece.key;
     return piece.other == none ? std::uint64_t(piece.level) << 32 | piece.triangle
                                : std::uint64_t(piece.triangle) << 32 | piece.other;
 }

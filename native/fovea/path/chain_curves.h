@@ -19,9 +19,9 @@ struct CurveChains {
     static constexpr std::tuple curve_columns{
         Column{"closed", &CurveChains::closed, "the last point repeats the first"},
         Column{"free", &CurveChains::free, "FreeEnds (path/paths.h): ends at which no other line goes on"},
-        Column{
-            "anchor", &CurveChains::anchor,
-            "level (high half) and lowest triangle, or the lowest triangles of both surfaces: no two have the same"}};
+        Column{"anchor", &CurveChains::anchor,
+               "the lowest key of its pieces; of those without, level (high half) and lowest triangle, or the lowest "
+               "triangles of both surfaces: no two have the same"}};
     static constexpr std::tuple point_columns{
         Column{"point", &CurveChains::point, "object space"}, Column{"strength", &CurveChains::strength, "in [0, 1]"},
         Column{"triangle", &CurveChains::triangle, "of the piece from this point; the last repeats the one before"},

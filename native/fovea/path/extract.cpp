@@ -8,6 +8,7 @@
 
 #include <fovea/base/hash.h>
 #include <fovea/field/fields.h>
+#include <fovea/line/look_at.h>
 #include <fovea/mesh/stretch.h>
 #include <fovea/path/append.h>
 #include <fovea/path/doubles.h>
@@ -49,24 +50,6 @@ bool any_marks_edges(const std::vector<PlacedSet>& sets, bool of_surface) {
     return any_asked(sets, [&](const LineDefinition& definition) {
         return std::holds_alternative<EdgeRule>(definition.rule) && (definition.scope == Scope::surface) == of_surface;
     });
-}
-
-/// Eye position in object space; for an orthographic view the direction towards the viewer.
-dvec3 eye_of(const View& view, const Placement& placed) {
-    const dmat4 view_to_object = glm::inverse(view.world_to_view * placed.object_to_world);
-    return dvec3(view_to_object * (view.orthographic ? dvec4(0, 0, 1, 0) : dvec4(0, 0, 0, 1)));
-}
-
-/// The view of a placement. `surface`: the placement's, pre-stretched (as_placed).
-SurfaceView look_at(const Surface& surface, const Scene& scene, Index placement, const View& view,
-                    const Tracer& tracer) {
-    const Placement& placed = scene.placements[placement];
-    return {.surface = surface,
-            .eye_obj = surface.stretch() * eye_of(view, placed),
-            .orthographic = view.orthographic,
-            .placement = placement,
-            .object_to_view = view.world_to_view * placed.object_to_world * dmat4(glm::inverse(surface.stretch())),
-            .tracer = &tracer};
 }
 
 /// Whether a set requests view-dependent features, which a contour may duplicate.
@@ -170,7 +153,7 @@ Paths extract_paths(const Scene& scene, const View& view, const std::vector<Line
             const auto surface = as_placed(placed.surface, placed.object_to_world);
             if (!alike || asked.surface != surface) asked = {surface, sets_of(placement, *surface, sets, own)};
             const PlacementPaths found =
-                extract_placement(look_at(*surface, scene, placement, view, tracer), asked.sets, asked.hash, of_view);
+                extract_placement(look_at(*surface, placement, tracer), asked.sets, asked.hash, of_view);
             if (found.edges) {
                 appender.append(placement, found.edges->kept, false, part);
                 appender.append(placement, found.edges->seen, true, part);

@@ -6,6 +6,7 @@
 
 #include <fovea/base/hash.h>
 #include <fovea/base/parallel.h>
+#include <fovea/line/look_at.h>
 #include <fovea/path/bridge_folds.h>
 #include <fovea/path/doubles.h>
 #include <fovea/path/paths.h>
@@ -57,16 +58,6 @@ StaticLines find_static(const Surface& surface, const std::vector<PlacedSet>& se
     for (Index e = 0; e < any.size(); ++e)
         if (any[e]) lines.edges.push_back(e);
     return lines;
-}
-
-/// Evaluated on the original surface, as everywhere else: pre-stretching changes only the last digits.
-void find_facing(SurfaceView& seen) {
-    const Surface& surface = seen.surface.source() ? *seen.surface.source() : seen.surface;
-    const dvec3 eye = glm::inverse(seen.surface.stretch()) * seen.eye_obj;
-    seen.facing = parallel_map<std::uint8_t>(surface.facet_count(), [&](std::size_t f) {
-        const dvec4 plane(surface.facet_plane[f]);
-        return glm::dot(dvec3(plane), eye) - (seen.orthographic ? 0.0 : plane.w) >= 0.0;
-    });
 }
 
 /// Edges labeled with the first line set that has them: the edges of StaticLines, in their order, and the others.
@@ -137,7 +128,7 @@ FoundEdges find_edges(SurfaceView seen, const std::vector<PlacedSet>& sets, std:
     found.kept = surface.cache().get<StaticLines>(sets_hash, [&] { return find_static(surface, sets); });
     found.kinds = found.kept->kinds;
     if (!of_view) return found;
-    find_facing(seen);
+    seen.facing = facing_of(seen);
     const Kinds doubled = doubled_edges(asked_of(sets));
     if (doubled) found.doubled = doubled_at_edges(surface, sets);
     Array<Kinds> all(found.doubled.size(), 0);

@@ -27,6 +27,7 @@ Sphere bounding_sphere(const Placement& placement, const View& view) {
 }
 
 bool in_frame(const Placement& placement, const View& view, double margin) {
+    if (view.view_to_clip == dmat4(0.0)) return true;
     const Sphere sphere = bounding_sphere(placement, view);
     const dvec4 center(sphere.center, 1.0);
     // Frustum planes in view space: rows of the projection, w + x >= 0 and so on, widened; and the near plane.

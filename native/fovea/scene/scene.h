@@ -8,6 +8,7 @@
 #include <fovea/base/types.h>
 #include <fovea/base/view.h>
 #include <fovea/mesh/surface.h>
+#include <fovea/scene/light.h>
 
 namespace fovea::scene {
 
@@ -37,6 +38,7 @@ struct Scene {
     /// Section plane in world space, with a unit normal: where dot(section, (p, 1)) is positive, all is cut away
     /// (section.h). Unset: nothing is.
     std::optional<dvec4> section;
+    std::vector<Light> lights;
 
     Scene() = default;
     /// Placements whose transform flattens their surface get a thickness (flattened.h).
@@ -56,7 +58,7 @@ struct Sphere {
 Sphere bounding_sphere(const Placement& placement, const View& view);
 
 /// False if the placement's bounding sphere is outside the frame, widened by `margin` times its half size, or entirely
-/// before the near plane.
+/// before the near plane. Without a frame, as from a light (light_view.h), all is in it.
 bool in_frame(const Placement& placement, const View& view, double margin);
 
 }  // namespace fovea::scene

@@ -59,12 +59,19 @@ Ray Tracer::ray_to(const vec3& point) const {
         return behind_section({vec3(point.x, point.y, near_z), vec3(0, 0, -length), 0.0f,
                                length > margin ? 1.0f - margin / length : -1.0f});
     }
-    return behind_section(
-        {vec3(0.0f), point, static_cast<float>(view_.near_clip) / -point.z, static_cast<float>(1.0 - ray_margin)});
+    // Without a near plane, as from a light, there are points all around.
+    const float near_t = view_.near_clip > 0.0 ? static_cast<float>(view_.near_clip) / -point.z : 0.0f;
+    return behind_section({vec3(0.0f), point, near_t, static_cast<float>(1.0 - ray_margin)});
 }
 
 std::optional<Hit> Tracer::occluder(const vec3& point, const Ignore& ignore) const {
     return nearest(ray_to(point), ignore);
+}
+
+std::optional<Hit> Tracer::along(const dvec3& point, const Ignore& ignore, double near_t) const {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    const dvec3 eye = view_.orthographic ? dvec3(point.x, point.y, 0.0) : dvec3(0.0);
+    return nearest(behind_section({eye, point - eye, near_t, infinity}), ignore);
 }
 
 Ray Tracer::ray_beyond(const vec3& point) const {
@@ -82,14 +89,14 @@ bool Tracer::cuts_away(const dvec3& point) const {
 
 Ray Tracer::behind_section(Ray ray) const {
     if (!section_) return ray;
-    const double before = glm::dot(*section_, dvec4(dvec3(ray.origin), 1.0));
-    const double rise = glm::dot(dvec3(*section_), dvec3(ray.direction));
+    const double before = glm::dot(*section_, dvec4(ray.origin, 1.0));
+    const double rise = glm::dot(dvec3(*section_), ray.direction);
     // Half the margin, so that nothing hides a line in the plane.
     const double t = -before / rise, margin = 0.5 * ray_margin * std::abs(t);
     if (rise < 0.0)
-        ray.near_t = std::max(ray.near_t, static_cast<float>(t - margin));
+        ray.near_t = std::max(ray.near_t, double(static_cast<float>(t - margin)));
     else if (rise > 0.0)
-        ray.far_t = std::min(ray.far_t, static_cast<float>(t + margin));
+        ray.far_t = std::min(ray.far_t, double(static_cast<float>(t + margin)));
     else if (before > 0.0)
         ray.far_t = ray.near_t;
     return ray;

@@ -80,8 +80,8 @@ inline constexpr double ray_margin = 1e-5;
 
 /// A ray segment: points origin + t * direction with near_t <= t <= far_t.
 struct Ray {
-    vec3 origin, direction;
-    float near_t, far_t;
+    dvec3 origin, direction;
+    double near_t, far_t;
 };
 
 /// Ray caster over two levels: one BVH per surface, cached with the surface, and one over the placements, in view
@@ -105,6 +105,10 @@ class Tracer {
     /// ray passes between two triangles. `bodies`: of this scene. `surfaces`: output.
     void surfaces_before(const vec3& point, const Ignore& ignore, int most, const SceneBodies& bodies,
                          std::vector<Hit>& surfaces) const;
+
+    /// The nearest surface on the ray from the eye through `point`, wherever, but from `near_t` on; t is above 1 beyond
+    /// the point. In double precision.
+    std::optional<Hit> along(const dvec3& point, const Ignore& ignore, double near_t = 0.0) const;
 
     /// The nearest surface beyond `point` on the ray from the eye through it.
     std::optional<Hit> behind(const vec3& point, const Ignore& ignore) const;

@@ -245,7 +245,12 @@ OwningJob random_job(Choices& choices) {
     job.scene = random_scene(choices);
     job.style = style::read_style(style::write_style(job.style));
     override_some(choices, made);
-    if (choices.chance(0.7)) job.colors = random_colors(choices, *job.scene);
+    if (choices.chance(0.7)) {
+        job.colors = random_colors(choices, *job.scene);
+        auto lit = std::make_shared<Scene>(*job.scene);
+        lit->lights = job.colors->lights;
+        job.scene = lit;
+    }
     if (choices.chance(0.05))
         for (const auto& [name, parameters] : job.style.line_sets[0].kinds)
             job.options.outlines.push_back({choices.between(0, 2), {name}});

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Cast shadow: outlines of shadows. Where light that passes the outline of something next meets a surface.
+// In   the lights of the scene that cast shadows; edges that are outlines of what hides, as each of them sees it
+// Out  pieces on facets of all placements that are drawn, of the meshes as they are: rays decide of any point of a
+//      surface whether it lies in shadow, and these lines are where that changes. None where a body touches another:
+//      there its own edges bound the shadow. Independent of the view.
+#include <map>
+#include <tuple>
+#include <unordered_map>
+
+#include <fovea/base/hash.h>
+#include <fovea/field/turn.h>
+#include <fovea/line/look_at.h>
+#include <fovea/line/shadow_of_segment.h>
+
+namespace fovea::line {
+namespace {
+
+struct CastShadow {
+    int lights;
+    bool corners;
+};
+
+const Parameters<CastShadow> parameters{
+    {&CastShadow::lights, "lights", "Lights", 4, 0, 64,
+     "How many lights have lines, those that are strongest amid the scene first"},
+    {&CastShadow::corners, "corners", "Corners of Areas", false,
+     "Shadows by the corners of area lights, too: between them and those by the center is half-shadow"}};
+
+/// Where a mesh bends by less at an edge, it stands for a round surface, whose outline the edges only approximate: what
+/// they would cast right behind themselves, within so many of their lengths, is of their corners, not of the surface.
+constexpr double round_turn = 0.8, round_reach = 4.0;
+
+/// A piece, and the edge that casts it.
+struct Cast {
+    ShadowPiece piece;
+    Index placement, edge, number;  // of the edge's pieces
+};
+
+/// The shadows of one light, in the order of placements and their edges.
+Array<Cast> shadows_of(const LightEye& eye, const Cancel& cancel) {
+    const Scene& scene = eye.tracer.scene();
+    return parallel_collect<Cast>(scene.placements.size(), 1, [&](std::size_t i, std::size_t, auto& out) {
+        const auto placement = static_cast<Index>(i);
+        const Placement& caster = scene.placements[placement];
+        if (!(caster.usage & (scene::usage_occlude | scene::usage_holdout))) return;
+        cancel.poll();
+        const Surface& surface = *caster.surface;
+        const Array<Index> edges = outline_edges(look_at(surface, placement, eye.tracer));
+        const dmat4 to_light = eye.from_object(placement);
+        const auto place = [&](Index v) { return dvec3(to_light * dvec4(dvec3(surface.positions[v]), 1.0)); };
+        out = parallel_collect<Cast>(edges.size(), 64, [&](std::size_t begin, std::size_t end, auto& part) {
+            Array<ShadowPiece> pieces;
+            for (const Index e : In<Index>(edges).subspan(begin, end - begin)) {
+                pieces.clear();
+                const Edge& edge = surface.edges[e];
+                const dvec3 from = place(edge.x), to = place(edge.y);
+                const bool is_round = surface.sides(e).size() == 2 && field::turn_at(surface, e) < round_turn;
+                const double reach = is_round ? round_reach * glm::distance(from, to) : 0.0;
+                append_shadow(eye, {from, to, eye.tracer.ignore_at(placement, e), reach}, pieces);
+                for (Index n = 0; n < pieces.size(); ++n) part.push_back({pieces[n], placement, e, n});
+            }
+        });
+    });
+}
+
+/// Numbers of the ends of pieces; equal where they go on.
+class Joints {
+   public:
+    Index next() { return count_++; }
+    /// At the shadow of a vertex on a facet.
+    Index at_vertex(const Cast& cast, Index vertex, Index facet) {
+        const auto [it, is_new] = of_vertex_.try_emplace({cast.placement, vertex, cast.piece.placement, facet}, count_);
+        count_ += is_new;
+        return it->second;
+    }
+
+   private:
+    Index count_ = 0;
+    std::map<std::tuple<Index, Index, Index, Index>, Index> of_vertex_;
+};
+
+/// Sorts pieces by the placement that they fall on, and appends its curves.
+void append_curves(const LightEye& eye, In<Cast> shadows, In<std::uint8_t> drawn, std::vector<SceneCurves>& found) {
+    const Scene& scene = eye.tracer.scene();
+    std::map<Index, std::shared_ptr<KeptCurves>> of_placement;
+    std::unordered_map<Index, dmat4> to_object;
+    Joints joints;
+    Index from = none;  // where the piece before goes on
+    for (const Cast& cast : shadows) {
+        const auto& [placement, triangle, point, goes_on, starts, ends] = cast.piece;
+        const Edge& edge = scene.placements[cast.placement].surface->edges[cast.edge];
+        const Index facet = scene.placements[placement].surface->triangle_facet[triangle];
+        const Index start = from != none ? from : starts ? joints.at_vertex(cast, edge.x, facet) : none;
+        const Index end = goes_on ? joints.next() : ends ? joints.at_vertex(cast, edge.y, facet) : none;
+        from = goes_on ? end : none;
+        if (!drawn[placement]) continue;
+        auto& curves = of_placement[placement];
+        if (!curves) {
+            curves = std::make_shared<KeptCurves>();
+            to_object.emplace(placement, glm::inverse(eye.from_object(placement)));
+        }
+        const auto in_object = [&](const dvec3& p) { return vec3(to_object.at(placement) * dvec4(p, 1.0)); };
+        curves->pieces.push_back(
+            {.triangle = triangle,
+             .side = {start, end},
+             .point = {in_object(point[0]), in_object(point[1])},
+             .strength = {1.0f, 1.0f},
+             .other = triangle,
+             .key = hash_numbers(eye.light.id, scene.placements[cast.placement].id, cast.edge, cast.number)});
+    }
+    for (auto& [placement, curves] : of_placement) found.push_back({placement, placement, std::move(curves)});
+}
+
+std::vector<SceneCurves> find(const Scene& scene, In<Index> drawn, const CastShadow& values, const Cancel& cancel) {
+    std::vector<SceneCurves> found;
+    Array<std::uint8_t> is_drawn(scene.placements.size(), 0);
+    for (const Index placement : drawn) is_drawn[placement] = 1;
+    for (const Light& light : casting_lights(scene, std::size_t(values.lights), values.corners)) {
+        const LightEye eye(scene, light);
+        append_curves(eye, shadows_of(eye, cancel), is_drawn, found);
+    }
+    return found;
+}
+
+}  // namespace
+
+extern const LineDefinition cast_shadow = {
+    .name = "cast_shadow",
+    .label = "Cast Shadow",
+    .source = "Crow 1977, Shadow Algorithms for Computer Graphics; Blender's Line Art",
+    .description = "Outlines of the shadows that things cast on others and on themselves, by the lights of the scene",
+    .scope = Scope::placements,
+    .importance = 0.4,
+    .parameters = parameters,
+    .rule = SceneRule{parameters.of(find), [](const Surface&, const Values&, const Cancel&) {}},
+    .ends_at_lines = true,
+    .usual = true,
+};
+
+}  // namespace fovea::line

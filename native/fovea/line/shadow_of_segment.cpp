@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fovea/line/shadow_of_segment.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace fovea::line {
+namespace {
+
+constexpr double most_steps = 1024;
+/// Shares of the scene's radius: the shortest step, and the gap up to which a shadow goes on over one surface.
+constexpr double finest = 0x1p-20, nearest = 0x1p-14;
+
+class Shadow {
+   public:
+    Shadow(const LightEye& eye, const CastingSegment& segment, Array<ShadowPiece>& out)
+        : eye_(eye), segment_(segment), out_(out), length_(glm::distance(segment.from, segment.to)) {}
+
+    void trace() {
+        const double wanted = length_ / eye_.step;
+        if (!std::isfinite(wanted)) return;
+        const int steps = static_cast<int>(std::clamp(std::ceil(wanted), 1.0, most_steps));
+        At before = at(0.0);
+        for (int i = 1; i <= steps; ++i) {
+            const At next = at(double(i) / steps);
+            trace(before, next);
+            before = next;
+        }
+    }
+
+   private:
+    /// Where the ray through the segment at parameter t falls; placement `none`: nowhere.
+    struct At {
+        double t;
+        Index placement = none, triangle = none;
+        dvec3 point{0.0};
+
+        bool falls() const { return placement != none; }
+    };
+
+    At at(double t) const {
+        const dvec3 passed = t == 1.0 ? segment_.to : glm::mix(segment_.from, segment_.to, t);
+        const auto hit = eye_.pass(passed, segment_.ignore).hit;
+        if (!hit) return {t};
+        const dvec3 point = eye_.on_ray(passed, hit->t);
+        if (!std::isfinite(point.x + point.y + point.z)) return {t};
+        if (glm::distance(point, passed) < segment_.reach && eye_.is_one_body(*hit, segment_.ignore)) return {t};
+        return {t, hit->placement, hit->triangle, point};
+    }
+
+    const Surface& surface(Index placement) const { return *eye_.tracer.scene().placements[placement].surface; }
+    Index facet(Index placement, Index triangle) const { return surface(placement).triangle_facet[triangle]; }
+    bool on_one_facet(const At& a, const At& b) const {
+        return facet(a.placement, a.triangle) == facet(b.placement, b.triangle);
+    }
+
+    void trace(const At& a, const At& b) {
+        if (!a.falls() && !b.falls()) return;
+        const bool one_surface = a.falls() && a.placement == b.placement;
+        if (one_surface && on_one_facet(a, b)) return append(a, a.point, b.point, a.t, b.t);
+        if (dvec3 crossing; one_surface && cross(a, b, crossing)) {
+            append(a, a.point, crossing, a.t, -1.0);
+            return append(b, crossing, b.point, -1.0, b.t);
+        }
+        if ((b.t - a.t) * length_ > finest * eye_.radius) {
+            const At middle = at(0.5 * (a.t + b.t));
+            trace(a, middle);
+            return trace(middle, b);
+        }
+        if (one_surface && glm::distance(a.point, b.point) <= nearest * eye_.radius)
+            append(a, a.point, b.point, a.t, b.t);
+        else
+            open_ = false;
+    }
+
+    /// Where the shadow between two points crosses the side that their triangles share.
+    bool cross(const At& a, const At& b, dvec3& crossing) const {
+        const Surface& own = surface(a.placement);
+        const Triangle &s = own.triangles[a.triangle], &t = own.triangles[b.triangle];
+        Index shared[3];
+        int count = 0;
+        for (int i = 0; i < 3; ++i)
+            for (int k = 0; k < 3; ++k)
+                if (s[i] == t[k]) shared[count++] = s[i];
+        if (count != 2) return false;
+        const dmat4 to_light = eye_.from_object(a.placement);
+        dvec3 end[2];
+        for (int i = 0; i < 2; ++i) end[i] = dvec3(to_light * dvec4(dvec3(own.positions[shared[i]]), 1.0));
+        // The plane of all rays through the segment: through a.point, and the light or along its rays.
+        const bool of_sun = eye_.tracer.view().orthographic;
+        const dvec3 ray = of_sun ? dvec3(0, 0, 1) : segment_.from;
+        const dvec3 normal = glm::cross(ray, segment_.to - segment_.from), base = of_sun ? segment_.from : dvec3(0.0);
+        const double x = glm::dot(normal, end[0] - base), y = glm::dot(normal, end[1] - base);
+        if ((x < 0.0) == (y < 0.0)) return false;
+        crossing = glm::mix(end[0], end[1], x / (x - y));
+        // It must lie between both, as the light sees it.
+        const auto seen = [&](const dvec3& p) { return of_sun ? dvec3(p.x, p.y, 0.0) : glm::normalize(p); };
+        const dvec3 from = seen(a.point), way = seen(b.point) - from;
+        const double share = glm::dot(seen(crossing) - from, way);
+        return share >= 0.0 && share <= glm::dot(way, way);
+    }
+
+    /// A piece on the facet of `on`, or the last one, longer. `t`: at its ends; -1: inside the segment.
+    void append(const At& on, const dvec3& from, const dvec3& to, double from_t, double to_t) {
+        const bool longer = open_ && out_.back().placement == on.placement &&
+                            facet(on.placement, out_.back().triangle) == facet(on.placement, on.triangle);
+        if (longer) {
+            out_.back().point[1] = to;
+        } else {
+            if (open_) out_.back().goes_on = true;
+            out_.push_back({on.placement, on.triangle, {from, to}});
+            out_.back().starts = from_t == 0.0;
+        }
+        out_.back().ends = to_t == 1.0;
+        open_ = true;
+    }
+
+    const LightEye& eye_;
+    const CastingSegment& segment_;
+    Array<ShadowPiece>& out_;
+    const double length_;
+    bool open_ = false;  // the last piece ends where the next part of the segment begins
+};
+
+}  // namespace
+
+void append_shadow(const LightEye& eye, const CastingSegment& segment, Array<ShadowPiece>& out) {
+    Shadow(eye, segment, out).trace();
+}
+
+}  // namespace fovea::line
