@@ -1660,4 +1660,99 @@ class Screen:
 def one_bit(frame: Frame, screen: Screen) -> NDArray[numpy.uint8]:
     """(H, W) uint8, bottom row first: 1 is white, 0 black; takes all steps of the frame."""
 
+class Bitmap:
+    """A drawing as a set of pixels."""
+    def __init__(self, pixels: Annotated[ArrayLike, numpy.uint8]) -> None:
+        """pixels: (H, W) uint8, bottom row first; 0: not drawn."""
+    @staticmethod
+    def of_lines(
+        px: Annotated[ArrayLike, numpy.float32],
+        offsets: Annotated[ArrayLike, numpy.int64],
+        width: int,
+        height: int,
+    ) -> Bitmap:
+        """Of polylines with points px (M, 2) float32 from the lower left corner; line i has the points offsets[i] to
+        offsets[i + 1]."""
+    @staticmethod
+    def of_svg(
+        data: Sequence[str],
+        transforms: Annotated[ArrayLike, numpy.float64],
+        is_filled: Sequence[bool],
+        width: int,
+        height: int,
+    ) -> Bitmap:
+        """Of path data of SVG, with transforms (N, 6) as SVG has them, to pixels from the upper left corner; of filled
+        paths the lines in their middle."""
+    @property
+    def pixels(self) -> NDArray[numpy.uint8]:
+        """(H, W) uint8 of 1 and 0, bottom row first"""
+    @property
+    def usual_tolerance(self) -> float:
+        """Distance [px] that counts as near in drawings of this size"""
+    def distances(self) -> NDArray[numpy.float32]:
+        """(H, W) float32 distances [px] to the nearest pixel that is drawn."""
+    def measures(self, judge: Bitmap, tolerance: float) -> dict:
+        """{measure: number} of this drawing judged by another Bitmap; see native/fovea/study/measures.h."""
+    def shares_within(self, other: Bitmap, distances: Sequence[float]) -> NDArray[numpy.float64]:
+        """For each of the distances [px] the share of pixels that are that near to another Bitmap."""
+    def registration(self, reference: Bitmap, tolerance: float) -> object:
+        """{to_scan: (3, 3) from pixels of a reference Bitmap to those of this one, outer_share: share of its outer
+        boundary that is within the tolerance [px]}, by their lines; None if one is empty."""
+
+class GrayImage:
+    """A scan or picture of gray values."""
+    def __init__(self, values: Annotated[ArrayLike, numpy.uint8]) -> None:
+        """values: (H, W) uint8, bottom row first."""
+    @staticmethod
+    def of_png(file: bytes) -> GrayImage:
+        """Of a PNG file's bytes; transparent parts lie on white."""
+    @property
+    def values(self) -> NDArray[numpy.uint8]:
+        """(H, W) uint8, bottom row first"""
+    def resampled(self, to_picture: Annotated[ArrayLike, numpy.float64], width: int, height: int) -> GrayImage:
+        """A GrayImage of other pixels, which the matrix (3, 3) maps to those of this one."""
+    def frame_by_marks(self, width: int, height: int) -> object:
+        """The matrix (3, 3) from pixels of a picture to those of this scan of its prompt sheet; None: the marks are not
+        found."""
+    def prompt_sheet(self, title: str, sheet: str='a4') -> bytes:
+        """A PDF file's bytes: a sheet to draw on after this picture; see native/fovea/study/sheet.h."""
+    def lines(self) -> Bitmap:
+        """The Bitmap of what is drawn, one pixel wide; see native/fovea/study/scan.h."""
+
+class PrecisionRecall:
+    """Drawings of ever more lines, by the threshold of their strengths."""
+    @property
+    def threshold(self) -> NDArray[numpy.float32]:
+        """(N,) float32 strengths from which on lines are drawn, descending; the first is infinite"""
+    @property
+    def precision(self) -> NDArray[numpy.float64]:
+        """(N,) float64 of the drawing"""
+    @property
+    def recall(self) -> NDArray[numpy.float64]:
+        """(N,) float64 of the drawing, ascending"""
+    def best_at(self, precision: float) -> int:
+        """The number of the one with the most recall of at least this precision; -1: there is none."""
+    def recall_at(self, precision: float) -> float:
+        """Its recall."""
+    @property
+    def area(self) -> float:
+        """Mean recall at precisions of 0.5 to 1"""
+
+class Strengths:
+    """Strengths of lines at pixels."""
+    def __init__(
+        self,
+        px: Annotated[ArrayLike, numpy.float32],
+        offsets: Annotated[ArrayLike, numpy.int64],
+        strength: Annotated[ArrayLike, numpy.float32],
+        width: int,
+        height: int,
+    ) -> None:
+        """Of polylines as for Bitmap.of_lines, with the strength (M,) at their points."""
+    def above(self, threshold: float) -> Bitmap:
+        """The Bitmap of pixels with at least a strength."""
+    def curve(self, always: Bitmap, judge: Bitmap, tolerance: float) -> PrecisionRecall:
+        """The PrecisionRecall of these lines, with the Bitmap of lines that are drawn in any case, judged by another
+        one."""
+
 notes: dict

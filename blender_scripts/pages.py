@@ -11,7 +11,7 @@ from pathlib import Path
 
 import bpy
 import numpy as np
-from bl_ext.user_default.fovea import native, style
+from bl_ext.user_default.fovea import comparison_report, native, style
 from bl_ext.user_default.fovea.style import style_data
 
 sys.path.insert(0, str(Path(__file__).parent))
@@ -143,6 +143,15 @@ def paint_around_an_eye(scene):
         group.add(np.flatnonzero(levels == level).tolist(), level / WEIGHTS, "REPLACE")
 
 
+def overlay(name, path):
+    """(H, W, 3) overlay of two drawings of a model."""
+    shown = pages.COMPARE[name]
+    open_model(shown.model)
+    pictures = [draw_lines(shown, kinds, (), FAINT, path) for kinds in shown.drawn]
+    a, b = (native.load().GrayImage(np.round(255 * gray)).lines() for gray in pictures)
+    return comparison_report.overlay(a, b, a.usual_tolerance) / 255
+
+
 def plot(name, path):
     """(N, N) plot of a transfer function over focus: grid lines at quarters in gray, the curve in black."""
     transfer = style.Transfer(**pages.TRANSFERS[name])
@@ -162,7 +171,7 @@ def plot(name, path):
 
 DRAWN_BY = {
     "lines": line, "sections": section, "way": stage, "focus": stage, "strokes": stroke, "painted": painted,
-    "situations": situation, "over": over_render, "transfers": plot, "grease_pencil": pencil,
+    "situations": situation, "over": over_render, "transfers": plot, "grease_pencil": pencil, "compare": overlay,
 }  # fmt: skip
 
 

@@ -76,6 +76,7 @@ def extract(native, options):
     frame.find()
     if options.visible:
         arrays = importlib.import_module("addon.line_arrays").seen(frame, view_to_object)
+        arrays["size"] = np.array(options.size)
     else:
         arrays = _whole(frame.paths, surface, polygons.positions, view_to_object)
     del arrays["path"]  # redundant with path_id for a single model

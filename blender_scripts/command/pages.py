@@ -165,10 +165,22 @@ TRANSFERS = {  # plot -> members of a style's Transfer
 PLOT = 240  # pixels
 STEPS = ("1_engine", "2_rendered", "3_style", "4_focus", "5_pull")  # pictures of first_drawing.md
 
+
+@dataclass(frozen=True)
+class Pair:
+    """Two drawings of a model that are compared."""
+
+    model: str
+    camera: tuple
+    drawn: tuple  # line definitions of each
+
+
+COMPARE = {"overlay": Pair(*BUNNY, (("contour", "suggestive_contour"), ("contour", "apparent_ridge")))}
+
 # Name -> {picture: its description}; each group is a folder of addon/docs.
 GROUPS = {
     "lines": LINES, "sections": SECTIONS, "way": WAY, "focus": FOCUS, "strokes": STROKES, "painted": PAINTED,
-    "situations": SITUATIONS, "over": OVER, "transfers": TRANSFERS, "grease_pencil": GREASE_PENCIL,
+    "situations": SITUATIONS, "over": OVER, "transfers": TRANSFERS, "grease_pencil": GREASE_PENCIL, "compare": COMPARE,
 }  # fmt: skip
 
 

@@ -14,7 +14,7 @@ PROJECT = Path(__file__).parents[2]
 # A native folder includes itself and those before it.
 NATIVE = (
     "base raster mesh field scene repair cutout image line style path project visibility runs focus elision stroke "
-    "color draw vector"
+    "color draw vector study"
 ).split()
 
 # What uses the core: each includes itself and all of the core.
@@ -62,6 +62,10 @@ MODULES = {
     "style": "catalogue native",
     "catalogue": "native",
     "line_arrays": "native",
+    "comparison": "native svg_drawing",
+    "svg_drawing": "",
+    "comparison_report": "files native",
+    "explained_lines": "",
     "still_life": "",
     "curve_fit": "native",
     "pipeline": "native stages style",
@@ -73,9 +77,9 @@ FOLDERS = "gpu scene focus style render ui".split()
 
 # `native.load()` gives the native module; other parts get handles from these.
 LOADERS = (
-    r"addon/(gpu/\w+|catalogue|curve_fit|line_arrays|pipeline|scene/api|style/(__init__|style_picture)|"
-    r"render/(bake_operators|drawn_lines|gpu_check|line_operators|methods|near_frames|reading|session|vector_settings|"
-    r"vectors|viewport|whole_pictures)|ui/preferences)\.py"
+    r"addon/(gpu/\w+|catalogue|comparison(_report)?|curve_fit|line_arrays|pipeline|scene/api|ui/preferences|"
+    r"style/(__init__|style_picture)|render/(bake_operators|definition_strengths|drawn_lines|gpu_check|line_operators|"
+    r"methods|near_frames|reading|session|vector_settings|vectors|viewport|whole_pictures))\.py"
 )
 
 
@@ -168,12 +172,13 @@ def test_readme_names_the_native_folders_in_their_order():
 
 
 def test_namespaces_see_those_of_the_folders_before_them():
-    """Names of style are called by its name: strokes have a Pen, too."""
+    """Names of style are called by its name: strokes have a Pen, too. Study stands apart: nothing depends on it."""
     text = (PROJECT / "native/fovea/base/namespaces.h").read_text()
     told = re.findall(r"namespace (\w+) \{\s*(?:using namespace (\w+);)?", text.replace("namespace fovea {", ""))
-    seen = [folder for folder in NATIVE if folder != "style"]
+    drawing = [folder for folder in NATIVE if folder != "study"]
+    seen = [folder for folder in drawing if folder != "style"]
     before = dict(zip(seen, ["", *seen])) | {"style": "line"}
-    assert told == [(folder, before[folder]) for folder in NATIVE]
+    assert told == [(folder, before[folder]) for folder in drawing]
 
 
 def test_the_rules_hold():

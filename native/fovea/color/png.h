@@ -16,6 +16,15 @@ inline constexpr std::size_t largest_texture = 64u << 20;  ///< bytes of its fil
 /// larger than the limits, which is known before its pixels are read.
 PenTexture read_texture(const std::filesystem::path& file);
 
+/// A PNG of any kind as gray, sRGB, bottom row first; what is transparent lies on white.
+struct GrayImage {
+    int width = 0, height = 0;
+    Array<std::uint8_t> values;
+};
+
+/// Reads all of a file's bytes. Throws std::invalid_argument if they cannot be read.
+GrayImage gray_png(In<std::uint8_t> file);
+
 /// The bytes of a PNG file of width x height pixels, sRGB, bottom row first (as in textures). Each has one value
 /// (gray), three, or four with alpha, by which colors are not multiplied. Throws std::invalid_argument if the number of
 /// values does not match, or is 0.

@@ -46,6 +46,13 @@ struct Image {
     dvec2 lower{0.0}, size{0.0};
 };
 
+/// A line of text, in black.
+struct Label {
+    std::string text;  ///< UTF-8
+    dvec2 place;       ///< where its base line begins
+    double size;       ///< of its letters
+};
+
 /// The origin is the lower left corner, y goes up.
 struct Document {
     dvec2 size{0.0};
@@ -53,6 +60,7 @@ struct Document {
     std::optional<dvec3> paper;  ///< its color as displayed; none: transparent
     std::optional<Image> image;  ///< below all layers
     std::vector<Layer> layers;   ///< from below
+    std::vector<Label> labels;   ///< above all layers; in PDF files alone
 };
 
 /// Calls visit(path) for each path of a layer or document, from below.

@@ -46,6 +46,15 @@ std::string text_of(std::string_view utf8) {
     return text + ">";
 }
 
+/// The same for fonts that have Latin letters alone; others become question marks.
+std::string latin(std::string_view utf8) {
+    std::string text = "<";
+    const std::string units = text_of(utf8).substr(5);  // after the byte order mark
+    for (std::size_t i = 0; i + 4 <= units.size(); i += 4)
+        text += units.compare(i, 2, "00") == 0 ? units.substr(i + 2, 2) : "3f";
+    return text + ">";
+}
+
 std::uint32_t big_endian(std::string_view bytes) {
     std::uint32_t value = 0;
     for (int i = 0; i < 4; ++i) value = value << 8 | static_cast<unsigned char>(bytes[std::size_t(i)]);
@@ -85,6 +94,7 @@ class Writer {
         ground();
         std::string order;
         for (const Layer& layer : document_.layers) order += add(layer);
+        for (const Label& label : document_.labels) add(label);
         return file(scale, order);
     }
 
@@ -154,6 +164,12 @@ class Writer {
         content_ += curve.closed ? "h\n" : "\n";
     }
 
+    void add(const Label& label) {
+        content_ += "0 g BT /Text " + number(label.size) + " Tf ";
+        numbers({label.place.x, label.place.y});
+        content_ += "Td " + latin(label.text) + " Tj ET\n";
+    }
+
     std::string resources() const {
         std::string text = "<< /ExtGState << ";
         for (const auto& [opacity, unused] : opacities_) {
@@ -163,6 +179,9 @@ class Writer {
         text += ">> /Properties << ";
         for (std::size_t i = 0; i < labels_.size(); ++i) text += "/L" + std::to_string(i) + " " + reference(i);
         if (document_.image) text += ">> /XObject << /Ground " + std::to_string(image_number) + " 0 R ";
+        if (!document_.labels.empty())
+            text +=
+                ">> /Font << /Text << /Type /Font /Subtype /Type1 /BaseFont /Helvetica /Encoding /WinAnsiEncoding >> ";
         return text + ">> >>";
     }
 

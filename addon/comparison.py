@@ -1,0 +1,193 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Drawings of files as sets of pixels, and how near they are to each other. Without Blender.
+
+A drawing is a PNG (a scan, or a picture by any program), an SVG, or an NPZ of `fovea lines --visible`."""
+
+import hashlib
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from . import native, svg_drawing
+
+LINES_SIZE = 1024, 1024  # of an NPZ that does not say it: what `fovea lines` takes
+USUAL_DIAGONAL = 1280  # pixels, of 1024 x 768: of drawings that have any size
+OTHER_TOLERANCES = 0.5, 2.0  # times the tolerance, that results are told for, too: rankings should not depend on it
+FARTHEST, DISTANCES = 4, 41  # of histograms: in tolerances, and how many distances
+LEAST_OUTER = 0.9  # share of the outer boundary that a registered drawing has a line near to
+DARKEST_PRINT = 0.75  # of the paper: what is brighter is the faint picture of a prompt sheet
+BOX = 0.005  # of the longer side, along the border: the box of a prompt sheet
+HEADLINE = "precision", "recall", "f1", "chamfer_px", "iou"
+
+
+@dataclass(frozen=True)
+class Drawing:
+    """A file that is read. `bitmap(size)`: its native Bitmap of (width, height) pixels."""
+
+    name: str
+    size: tuple | None  # (width, height) in pixels; None: any
+    bitmap: object
+    shape: tuple = ()  # width and height of one that has any size
+    gray: object = None  # native GrayImage of a scan or picture
+
+
+@dataclass(frozen=True)
+class Compared:
+    """A drawing and those it is judged by, as native Bitmaps, and what `compare` finds."""
+
+    names: tuple
+    a: object
+    judges: list
+    found: dict
+
+
+def read(path):
+    """The Drawing of a file. ValueError, or an OSError, in a sentence if it is none."""
+    path = Path(path)
+    reader = READERS.get(path.suffix.lower())
+    if reader is None:
+        raise ValueError(f"{path.name} is no drawing that can be compared: name a {', '.join(READERS)} file")
+    try:
+        return reader(path)
+    except ValueError as error:
+        raise ValueError(f"{path.name}: {error}") from error
+
+
+def of_png(path):
+    gray = native.load().GrayImage.of_png(path.read_bytes())
+    return Drawing(path.stem, gray.values.shape[::-1], lambda _size: gray.lines(), gray=gray)
+
+
+def of_npz(path):
+    """Lines in pixels; what is hidden, or left out by line thinning, is not drawn."""
+    with np.load(path, allow_pickle=False) as file:
+        if not {"px", "offsets", "invisibility", "shown"} <= set(file.files):
+            raise ValueError("it has no lines in pixels: write it by `fovea lines --visible`")
+        size = tuple(map(int, file["size"])) if "size" in file.files else LINES_SIZE
+        return of_lines(path.stem, dict(file), size)
+
+
+def of_lines(name, lines, size):
+    """The same of the arrays of line_arrays.seen, in a frame of (width, height) pixels."""
+    drawn = (lines["invisibility"] == 0) & (lines["shown"] > 0)
+    lengths = np.diff(lines["offsets"])
+    px, offsets = lines["px"][np.repeat(drawn, lengths)], np.concatenate([[0], np.cumsum(lengths[drawn])])
+    return Drawing(name, size, lambda _size: native.load().Bitmap.of_lines(px, offsets, *size))
+
+
+def of_svg(path):
+    found = svg_drawing.read(path.read_bytes())
+
+    def bitmap(size):
+        # As large as fits, in the middle.
+        scale = min(np.array(size) / found.size)
+        transforms = scale * found.transforms
+        transforms[:, 4:] += (np.array(size) - scale * np.array(found.size)) / 2
+        return native.load().Bitmap.of_svg(found.data, transforms, found.is_filled, *size)
+
+    return Drawing(path.stem, None, bitmap, found.size)
+
+
+READERS = {".png": of_png, ".svg": of_svg, ".npz": of_npz}
+
+
+def title(path):
+    """What a prompt sheet is called: the name of its picture, and digits by which no other one is mistaken for it."""
+    return f"{path.stem} {hashlib.sha256(path.read_bytes()).hexdigest()[:12]}"
+
+
+def of_drawings(drawings, tolerance=None, register=None):
+    """The Compared of Drawings: the first is judged by the others. `register`: how pictures among those are registered
+    to the first, one of REGISTERED. ValueError in a sentence where that is not possible."""
+    if register:
+        a = _bitmaps(drawings[:1])[0]
+        near = a.usual_tolerance if tolerance is None else tolerance
+        judges = [REGISTERED[register](drawing, a, near) for drawing in drawings[1:]]
+    else:
+        a, *judges = _bitmaps(drawings)
+    return Compared(tuple(drawing.name for drawing in drawings), a, judges, compare(a, judges, tolerance))
+
+
+def _bitmaps(drawings):
+    """The native Bitmaps of Drawings, all of one size. ValueError if their sizes differ."""
+    sizes = {drawing.size: drawing.name for drawing in drawings if drawing.size}
+    if len(sizes) > 1:
+        told = " and ".join(f"{name} has {width} x {height} pixels" for (width, height), name in sizes.items())
+        raise ValueError(f"{told}: draw them as large as each other, or register a scan with --register")
+    size = next(iter(sizes)) if sizes else _usual_size(drawings[0].shape)
+    return [drawing.bitmap(size) for drawing in drawings]
+
+
+def _by_lines(drawing, reference, tolerance):
+    """The Bitmap of a Drawing, registered by its lines to a Bitmap."""
+    size = reference.pixels.shape[::-1]
+    if drawing.gray is None:
+        return drawing.bitmap(size)
+    found = drawing.gray.lines().registration(reference, tolerance)
+    share = found["outer_share"] if found else 0.0
+    if share < LEAST_OUTER:
+        raise ValueError(
+            f"{drawing.name} could not be registered: {share:.0%} of the outer boundary have a line within the "
+            f"tolerance, and {LEAST_OUTER:.0%} are needed; use a prompt sheet, or a larger --tolerance"
+        )
+    return drawing.gray.resampled(found["to_scan"], *size).lines()
+
+
+def _by_marks(drawing, reference, _tolerance):
+    """The same by the marks of a prompt sheet."""
+    size = reference.pixels.shape[::-1]
+    if drawing.gray is None:
+        return drawing.bitmap(size)
+    to_scan = drawing.gray.frame_by_marks(*size)
+    if to_scan is None:
+        raise ValueError(
+            f"{drawing.name}: the marks of a prompt sheet are not found: scan all five discs around the frame, or "
+            "register it by its lines"
+        )
+    return _drawn_on_sheet(drawing.gray.resampled(to_scan, *size)).lines()
+
+
+def _drawn_on_sheet(gray):
+    """A native GrayImage without what a prompt sheet has printed: the faint picture, and the box along the border."""
+    values = gray.values.copy()
+    paper, border = np.median(values), int(np.ceil(BOX * max(values.shape)))
+    values[values >= DARKEST_PRINT * paper] = paper
+    inside = values[border:-border, border:-border]
+    return type(gray)(np.pad(inside, border, constant_values=int(paper)))
+
+
+REGISTERED = {"lines": _by_lines, "marks": _by_marks}
+
+
+def _usual_size(shape):
+    """The (width, height) of a shape with the diagonal of the drawings of the thesis."""
+    scale = USUAL_DIAGONAL / np.hypot(*shape)
+    return tuple(max(1, round(scale * side)) for side in shape)
+
+
+def compare(a, judges, tolerance=None):
+    """A dict of how near Bitmap a is to each of the Bitmaps `judges`: the measures of HEADLINE, means of all of them;
+    tolerance_px (usual where None is given); judged_by: all measures for each; at_tolerances: those of HEADLINE at
+    OTHER_TOLERANCES; agreement: shares of pixels within distances, between all judges, or of a and one."""
+    tolerance = a.usual_tolerance if tolerance is None else tolerance
+    found = [a.measures(judge, tolerance) for judge in judges]
+    others = {factor: [a.measures(judge, factor * tolerance) for judge in judges] for factor in OTHER_TOLERANCES}
+    at_tolerances = [{"tolerance_px": factor * tolerance, **_mean(each)} for factor, each in others.items()]
+    beside = {"tolerance_px": tolerance, "judged_by": found, "at_tolerances": at_tolerances}
+    of, drawings = ("All pairs of judges", judges) if len(judges) > 1 else ("Both drawings", [a, *judges])
+    return _mean(found) | beside | {"agreement": {"of": of, **_agreement(drawings, tolerance)}}
+
+
+def _mean(found):
+    return {name: float(np.mean([measures[name] for measures in found])) for name in HEADLINE}
+
+
+def _agreement(drawings, tolerance):
+    """Distances [px] of the pixels of each drawing from each other, as shares of all pixels within them."""
+    distances = np.linspace(0, FARTHEST * max(tolerance, 1.0), DISTANCES).tolist()
+    pairs = [(a, b) for a in drawings for b in drawings if a is not b]
+    pixels = [int(a.pixels.sum()) for a, _ in pairs]
+    shares = [a.shares_within(b, distances) for a, b in pairs]
+    shares = np.average(shares, axis=0, weights=pixels) if any(pixels) else np.ones(DISTANCES)
+    return {"distances_px": distances, "shares": shares.tolist()}

@@ -1,0 +1,111 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""`fovea compare A B`: how near a drawing is to others, in Blender only where the lines of a scene are to explain them;
+and sheets of paper to draw on."""
+
+import argparse
+import json
+import os
+from pathlib import Path
+
+from . import actions, model_files, output, quantities
+from . import package as extension
+from .target import PROJECT
+
+SHEETS = "a4", "a3", "letter"
+REPORTS = ".html", ".png"
+
+
+def compare(target, words):
+    options = parse(words)
+    if options.output:
+        output.check(options.output)
+    if options.sheet:
+        return write_sheet(target, options)
+    if options.scene:
+        extension.install(target)
+        out = Path(os.environ["TMPDIR"], "compared.json")
+        script = PROJECT / "blender_scripts" / "compare.py"
+        actions.in_blender(target, f"drawing the lines of {options.scene}", script, [out, *words])
+        found = json.loads(out.read_text())
+    else:
+        compared = of_files(actions.imported(target, "comparison"), options)
+        if options.output:
+            actions.imported(target, "comparison_report").write(compared, options.output)
+        found = finite(compared.found)
+    print(json.dumps(found) if options.json else sentence(found))
+    if options.output and not options.json:
+        print(options.output)
+    return 0
+
+
+def of_files(comparison, options):
+    drawings = [comparison.read(path) for path in (options.drawing, *options.judges)]
+    return comparison.of_drawings(drawings, options.tolerance, options.register)
+
+
+def write_sheet(target, options):
+    gray = actions.imported(target, "comparison").read(options.drawing).gray
+    if gray is None:
+        raise ValueError(f"--sheet: {options.drawing.name} is no PNG: draw the picture to draw after as one")
+    content = gray.prompt_sheet(actions.imported(target, "comparison").title(options.drawing), options.sheet)
+    with output.written(options.output) as fresh:
+        fresh.write_bytes(content)
+    print(options.output)
+    return 0
+
+
+def parse(words):
+    parser = argparse.ArgumentParser("fovea compare", usage=argparse.SUPPRESS)
+    parser.add_argument("drawing", type=_file, metavar="A")
+    parser.add_argument("judges", type=_file, nargs="*", metavar="B", help="drawings that A is judged by")
+    far = quantities.within(0, 1e4, "pixels")
+    parser.add_argument("--tolerance", type=far, metavar="PX", help="what counts as near (0.42 %% of the diagonal)")
+    by = ("lines", "marks")
+    parser.add_argument("--register", choices=by, help="PNGs among B are scans, registered to A by that")
+    parser.add_argument("--scene", help="NAME[:N], MODEL or FILE.blend: how its line definitions explain B")
+    parser.add_argument("--camera", metavar="NAME", help="of the scene")
+    parser.add_argument("--lines", type=lambda text: text.split(","), metavar="A,B", help="line definitions")
+    parser.add_argument("-o", "--output", type=_output, metavar="OUT.html|OUT.png", help="report, or overlay")
+    parser.add_argument("--json", action="store_true")
+    parser.add_argument("--sheet", choices=SHEETS, help="-o OUT.pdf: paper to draw on after the picture A")
+    options = parser.parse_args(words)
+    if options.sheet:
+        if options.judges or not options.output or options.output.suffix.lower() != ".pdf":
+            parser.error("--sheet takes one picture, and -o OUT.pdf")
+    elif not options.judges:
+        parser.error("name two drawings: A is judged by B")
+    elif options.output and options.output.suffix.lower() not in REPORTS:
+        parser.error(f"-o: a report is one of {', '.join(REPORTS)}, not {options.output.name}")
+    if (options.camera or options.lines) and not options.scene:
+        parser.error("--camera and --lines go with --scene")
+    if options.scene and (model_files.is_blend(options.scene) or model_files.is_model(options.scene)):
+        _file(options.scene)
+    return options
+
+
+def _file(text):
+    path = Path(text).absolute()
+    if not path.is_file():
+        raise argparse.ArgumentTypeError(f"there is no file {text}")
+    return path
+
+
+def _output(text):
+    return Path(text).absolute()
+
+
+def finite(found):
+    """The same without infinite numbers, which JSON does not have: None."""
+    if isinstance(found, dict):
+        return {name: finite(value) for name, value in found.items()}
+    if isinstance(found, list):
+        return [finite(value) for value in found]
+    return None if isinstance(found, float) and not abs(found) < float("inf") else found
+
+
+def sentence(found):
+    chamfer = "infinite" if found["chamfer_px"] is None else f"{found['chamfer_px']:.2f} px"
+    return (
+        f"precision {found['precision']:.3f}, recall {found['recall']:.3f}, F1 {found['f1']:.3f}, "
+        f"chamfer distance {chamfer}, IoU {found['iou']:.3f}, within {found['tolerance_px']:.2f} px"
+    )

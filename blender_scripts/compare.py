@@ -1,0 +1,44 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Runs inside Blender for `fovea compare --scene`: OUT.json and its words. Compares the drawings, and tells which line
+definitions of the scene explain those that judge."""
+
+import json
+import sys
+from dataclasses import replace
+from pathlib import Path
+
+import bpy
+from bl_ext.user_default.fovea import catalogue, comparison, comparison_report, explained_lines
+from bl_ext.user_default.fovea.render import definition_strengths
+
+sys.path.insert(0, str(Path(__file__).parent))
+
+import draw
+import ending
+import scene_source
+from command import compare, draw_options
+
+
+def main(words):
+    options = compare.parse(words[1:])
+    compared = compare.of_files(comparison, options)
+    height, width = compared.a.pixels.shape
+    scene_source.open_scene(options.scene)
+    scene = bpy.context.scene
+    draw.set_camera(scene, draw_options.parse([options.scene, "--size", f"{width}x{height}"]))
+    seen_by = None
+    if options.camera:
+        seen_by = scene.objects.get(options.camera)
+        if seen_by is None:
+            raise ValueError(f"--camera {options.camera}: there is no such object in the scene")
+    names = catalogue.named(options.lines) if options.lines else definition_strengths.NAMES
+    of_scene = definition_strengths.found(bpy.context, (width, height), names, seen_by)
+    explained = explained_lines.explain(*of_scene, compared.judges, compared.found["tolerance_px"])
+    compared = replace(compared, found=compared.found | {"definitions": explained})
+    if options.output:
+        comparison_report.write(compared, options.output)
+    Path(words[0]).write_text(json.dumps(compare.finite(compared.found)), encoding="utf-8")
+
+
+if __name__ == "__main__":
+    ending.run(main)

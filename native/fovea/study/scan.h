@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is drawn in a picture: scans of paper, and pictures that are drawn by programs.
+#pragma once
+
+#include <fovea/color/png.h>
+#include <fovea/study/bitmap.h>
+
+namespace fovea::study {
+
+/// The pixels that are darker than the paper around them: than the mean of a window of 31 pixels by 10 of 255, or than
+/// a third of the paper; on dark paper those that are brighter. Specks of fewer than 6 pixels are left out. Both sizes
+/// are those of a picture with a diagonal of 1280 pixels, and grow with larger ones.
+Bitmap ink_of(const color::GrayImage& picture);
+
+}  // namespace fovea::study
