@@ -53,7 +53,7 @@ def test_a_sheet_has_a_tile_for_each_of_its_drawings(tmp_path, monkeypatch):
 @pytest.mark.parametrize("name", ["transfers/curve", "lines/border", "way/2_lines", "focus/image"])
 def test_a_picture_of_the_documentation_has_its_size_and_something_on_it(tmp_path, monkeypatch, name):
     """Stages of the method are shown on boxes, as the demo scene takes seconds."""
-    monkeypatch.setattr(pages.draw, "open_scene", lambda spec: scenes.build("boxes:2"))
+    monkeypatch.setattr(pages.scene_source, "open_scene", lambda spec: scenes.build("boxes:2"))
     picture = tmp_path / pages.pages.file_of(name)
     picture.parent.mkdir()
     pages.main([str(tmp_path), name])

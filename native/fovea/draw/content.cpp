@@ -57,9 +57,10 @@ void add_filter(const path::MaterialFilter& filter, Content& content) {
 
 void add_overrides(const Overrides& overrides, Content& content) {
     content.add(overrides.importance, overrides.lines.kinds);
-    for (const auto& [name, painted] : overrides.painted) {
+    for (const auto& [paint, painted] : overrides.painted) {
         std::unordered_map<const float*, std::uint64_t> known;  // instances share their arrays
-        content.add(name);
+        content.add_numbers(paint.source);
+        content.add(paint.name);
         for (const In<float> values : painted) {
             const auto [at, fresh] = known.try_emplace(values.data());
             if (fresh) at->second = base::hash_of(values);
@@ -90,6 +91,12 @@ std::uint64_t content_of(const Scene& scene, const View& view, const Overrides& 
         content.add(numbers_of(placement.object_to_world));
     }
     if (scene.section) content.add(numbers_of(*scene.section));
+    for (const scene::Light& light : scene.lights) {
+        content.add_numbers(light.kind, light.casts, light.id);
+        content.add_reals(light.cos_outer, light.cos_inner, light.color.x, light.color.y, light.color.z);
+        for (const dvec3& place : {light.position, light.direction, light.half_side[0], light.half_side[1]})
+            content.add(numbers_of(place));
+    }
     content.add(numbers_of(view.world_to_view), numbers_of(view.view_to_clip), numbers_of(view.frame));
     content.add_numbers(view.width, view.height, view.orthographic);
     content.add_reals(view.near_clip, view.far_clip, view.reference_scale);
