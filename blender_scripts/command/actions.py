@@ -117,7 +117,7 @@ def bench(target, words):
     name, *rest = words or ["peers"]
     if name in ("lines", "agreement", "ink"):
         return {"lines": bench_lines, "agreement": agreement, "ink": bench_ink}[name](target, rest)
-    if name not in ("peers", "visibility", "focus", "viewport", "scale"):
+    if name not in ("peers", "visibility", "focus", "coherence", "viewport", "scale"):
         name, rest = "peers", ["--scenes", name, *rest]
     module = importlib.import_module(f"bench.{name}")
     module.parse(rest)  # reports usage errors before anything is built

@@ -150,12 +150,19 @@ TRANSFERS = {  # plot -> members of a style's Transfer
     "curve": {"curve": [[0, 0], [0.3, 0.75], [0.7, 0.85], [1, 1]]},
 }
 PLOT = 240  # pixels
+ANIMATION_SIZE, ANIMATION_FRAMES = (320, 180), 16
+ANIMATION = {  # scene with motion -> the lines of its picture
+    "turntable": ("crease", "border"),
+    "dolly": ("crease", "border"),
+    "zoom": ("crease", "border"),
+    "walk": ("contour",),
+}
 STEPS = ("1_engine", "2_rendered", "3_style", "4_focus", "5_pull")  # pictures of first_drawing.md
 
 # Name -> {picture: its description}; each group is a folder of addon/docs.
 GROUPS = {
     "lines": LINES, "sections": SECTIONS, "way": WAY, "focus": FOCUS, "strokes": STROKES, "situations": SITUATIONS,
-    "over": OVER, "transfers": TRANSFERS, "grease_pencil": GREASE_PENCIL,
+    "over": OVER, "transfers": TRANSFERS, "grease_pencil": GREASE_PENCIL, "animation": ANIMATION,
 }  # fmt: skip
 
 
@@ -166,4 +173,4 @@ def names():
 
 def file_of(name):
     """File of a GROUP/PICTURE, relative to addon/docs: PNG for gray pictures, JPEG for others."""
-    return f"{name}.png" if name.startswith(("lines/", "strokes/", "transfers/")) else f"{name}.jpg"
+    return f"{name}.png" if name.startswith(("animation/", "lines/", "strokes/", "transfers/")) else f"{name}.jpg"
