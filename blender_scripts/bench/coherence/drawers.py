@@ -53,10 +53,17 @@ class Fovea(renderers.Fovea):
         position = np.asarray(found.position_view, np.float64)[inside]
         along, whole = arc / PERIOD, np.full(len(arc), float(PERIOD))
         if fixed := self.anchor == "path":
-            piece = np.repeat(np.asarray(found.piece)[drawn], sizes[drawn])
-            whole = np.asarray(self.kept.clipped.path_length_px)[piece]
-            along = arc / whole
+            along, whole = self.anchored(np.repeat(np.asarray(found.piece)[drawn], sizes[drawn]), arc)
         return Strokes(offsets, px, view.to_world(position), view.depth(position), along, whole, fixed)
+
+    def anchored(self, piece, arc):
+        """Places on whole paths, and these paths' pixels, that the drawn strokes have at arc lengths of pieces."""
+        strokes = self.kept.strokes
+        own, u = np.asarray(strokes.piece, np.float64), np.asarray(strokes.arc[:, 0], np.float64)
+        reach = 2 * max(np.abs(u).max(initial=0), np.abs(arc).max(initial=0)) + 1
+        axis = own * reach + u
+        order = np.argsort(axis, kind="stable")
+        return (np.interp(piece * reach + arc, axis[order], column[order]) for column in np.asarray(strokes.anchor).T)
 
     def trace(self):
         return hashed(self.image)

@@ -192,7 +192,8 @@ Emphasis Frame::emphasis(In<float> opacity) const {
 
 Inking Frame::inking(In<float> opacity) const {
     check(drawn != nullptr, "frame: its strokes are not made yet");
-    return {*clipped, *drawn, pen_of_run_, paths->strength, pens.pens, samples, emphasis(opacity), paths->id};
+    return {*clipped,          *drawn,    pen_of_run_, paths->strength, pens.pens, samples,
+            emphasis(opacity), paths->id, paths.get()};
 }
 
 Strokes Frame::strokes_with(In<float> opacity) const { return tessellate(inking(opacity)); }

@@ -23,6 +23,15 @@ struct CenterPoint {
     float tint = 0.0f;
     /// Width of the pen as a fraction of the drawn width; below 1 where the pen is thinner than a pixel.
     float thinness = 1.0f;
+    /// Place on the whole path, from -.5 to .5, and how many pixels a path would have that is as large all along as it
+    /// is here: for marks fixed to the path (anchor.h). 0: no marks are.
+    double along = 0.0, whole_px = 0.0;
+
+    /// Moves its places along the line, which goes on as here.
+    void go(double px) {
+        arc += px;
+        if (whole_px > 0.0) along += px / whole_px;
+    }
 };
 
 using CenterLine = std::vector<CenterPoint>;
