@@ -1240,8 +1240,9 @@ class Strokes:
         """(V, 3) float32, each in [0, 1]: how far color and ink are those of the pen out of focus, and how far the
         color is the pen's second one"""
     @property
-    def path_px(self) -> NDArray[numpy.float32]:
-        """(V,) float32 length of the whole path [px], the same all over a stroke; for textures anchored to it"""
+    def anchor(self) -> NDArray[numpy.float32]:
+        """(V, 2) float32, for marks fixed to the path: place on the whole path, from -.5 to .5, and the pixels of a
+        path that is as large all along as it is here; 0 where no marks are fixed to it"""
     @property
     def pen(self) -> NDArray[numpy.uint32]:
         """(V,) uint32 index of the pen in focus, the same all over a stroke"""

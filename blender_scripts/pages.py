@@ -23,13 +23,15 @@ import over
 import picture
 import scene_source
 import sheet
+from bench import coherence
+from bench.coherence import drawers, motions, pictures
 from command import draw_options, pages, quantities
 from command.target import SHARED
 from scenes import lessons
 
 FAINT = {"pen.width": 2.8, "pen.color": (0.4, 0.4, 0.4), "pen.taper": 0.0}
 BOLD = {"pen.width": 7.5, "pen.color": (0.0, 0.0, 0.0), "pen.taper": 0.0, "pen.strength_width": 0.5}
-GREYS = 16  # gray levels; fewer give smaller files
+GREYS, FEW_GREYS = 16, 6  # gray levels; fewer give smaller files
 EYE = np.array((0.13, -0.3, 0.09))  # of the monkey, in its widths
 WEIGHTS = 64  # steps of a painted vertex group
 
@@ -169,9 +171,33 @@ def plot(name, path):
     return gray.reshape(size, fine, size, fine).mean(axis=(1, 3))
 
 
+def moving(name, path):
+    """(H, W) strips of a scene in motion, of dashes fixed to the screen and below of dashes fixed to their paths; and
+    beside each other a row of pixels over time of each."""
+    strips, rows, place = [], [], None
+    for anchor in coherence.ANCHORS:
+        motions.build(name, pages.ANIMATION_FRAMES, SHARED)
+        scene = bpy.context.scene
+        scene.render.resolution_x, scene.render.resolution_y = pages.ANIMATION_SIZE
+        drawer, frames = drawers.Fovea(scene, anchor), []
+        drawer.lines(pages.ANIMATION[name])
+        for k in range(scene.frame_start, scene.frame_end + 1):
+            scene.frame_set(k)
+            drawer.frame()
+            frames.append(drawer.image[..., :3].mean(axis=2) ** (1 / 2.2))
+        place = place or (pictures.pane(frames), pictures.darkest_row(frames))
+        strips.append(pictures.strip(frames, place[0]))
+        rows.append(pictures.over_time(frames, place[1]))
+    between = np.full((len(rows[0]), strips[0].shape[1] - 2 * rows[0].shape[1]), 0.5)
+    bands = [*strips, np.hstack([rows[0], between, rows[1]])]
+    made = np.vstack([np.pad(band, ((4, 4), (0, 0)), constant_values=1.0) for band in bands[::-1]])
+    return np.round(made * (FEW_GREYS - 1)) / (FEW_GREYS - 1)
+
+
 DRAWN_BY = {
     "lines": line, "sections": section, "way": stage, "focus": stage, "strokes": stroke, "painted": painted,
-    "situations": situation, "over": over_render, "transfers": plot, "grease_pencil": pencil, "compare": overlay,
+    "situations": situation, "over": over_render, "transfers": plot, "grease_pencil": pencil, "animation": moving,
+    "compare": overlay,
 }  # fmt: skip
 
 

@@ -8,7 +8,7 @@ float ink_of(int pen_index)
     return 1.0;
   }
   if (style.w > 0.5) {
-    return anchored_stroke_ink(int(style.z), size, arc_place.x, arc_place.y, half_width, ends.z, style.x);
+    return anchored_stroke_ink(int(style.z), size, anchored.x, arc_place.y, half_width, anchored.y, style.x);
   }
   return stroke_ink(int(style.z), size, arc_place.x / style.x, arc_place.y, half_width);
 }

@@ -4,7 +4,8 @@ void main()
 {
   gl_Position = vec4((px - image_origin) / image_size * 2.0 - 1.0, 0.0, 1.0);
   arc_place = arc.xy;
-  ends = vec3(arc.zw, path_px);
+  ends = arc.zw;
+  anchored = anchor;
   half_width = width_opacity.x;
   opacity = width_opacity.y;
   pen_number = float(pen);

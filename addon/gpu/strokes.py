@@ -21,7 +21,7 @@ class StrokePass:
             "arc": strokes.arc,
             "width_opacity": np.stack((strokes.half_width, strokes.opacity), axis=1),
             "mixes": strokes.mix,
-            "path_px": strokes.path_px,
+            "anchor": strokes.anchor,
             "pen": strokes.pen,
         }
         if spine_ranges is not None:

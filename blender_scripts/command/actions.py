@@ -117,7 +117,7 @@ def bench(target, words):
     name, *rest = words or ["peers"]
     if by_name := {"lines": bench_lines, "agreement": agreement, "ink": bench_ink, "over": bench_over}.get(name):
         return by_name(target, rest)
-    if name not in ("peers", "visibility", "focus", "viewport", "scale"):
+    if name not in ("peers", "visibility", "focus", "coherence", "viewport", "scale"):
         name, rest = "peers", ["--scenes", name, *rest]
     module = importlib.import_module(f"bench.{name}")
     module.parse(rest)  # reports usage errors before anything is built

@@ -163,6 +163,13 @@ TRANSFERS = {  # plot -> members of a style's Transfer
     "curve": {"curve": [[0, 0], [0.3, 0.75], [0.7, 0.85], [1, 1]]},
 }
 PLOT = 240  # pixels
+ANIMATION_SIZE, ANIMATION_FRAMES = (320, 180), 16
+ANIMATION = {  # scene with motion -> the lines of its picture
+    "turntable": ("crease", "border"),
+    "dolly": ("crease", "border"),
+    "zoom": ("crease", "border"),
+    "walk": ("contour",),
+}
 STEPS = ("1_engine", "2_rendered", "3_style", "4_focus", "5_pull")  # pictures of first_drawing.md
 
 
@@ -180,7 +187,8 @@ COMPARE = {"overlay": Pair(*BUNNY, (("contour", "suggestive_contour"), ("contour
 # Name -> {picture: its description}; each group is a folder of addon/docs.
 GROUPS = {
     "lines": LINES, "sections": SECTIONS, "way": WAY, "focus": FOCUS, "strokes": STROKES, "painted": PAINTED,
-    "situations": SITUATIONS, "over": OVER, "transfers": TRANSFERS, "grease_pencil": GREASE_PENCIL, "compare": COMPARE,
+    "situations": SITUATIONS, "over": OVER, "transfers": TRANSFERS, "grease_pencil": GREASE_PENCIL, "animation": ANIMATION,
+    "compare": COMPARE,
 }  # fmt: skip
 
 
@@ -191,4 +199,4 @@ def names():
 
 def file_of(name):
     """File of a GROUP/PICTURE, relative to addon/docs: PNG for gray pictures, JPEG for others."""
-    return f"{name}.png" if name.startswith(("lines/", "strokes/", "transfers/")) else f"{name}.jpg"
+    return f"{name}.png" if name.startswith(("animation/", "lines/", "strokes/", "transfers/")) else f"{name}.jpg"

@@ -65,12 +65,16 @@ def armature():
         bone.head, bone.tail, bone.roll = head, tail, 0.0
         bone.parent = rig.data.edit_bones[parent] if parent else None
     bpy.ops.object.mode_set(mode="OBJECT")
-    for name, degrees in POSE.items():  # about the figure's left-right axis
-        bone = rig.pose.bones[name]
-        axis = bone.bone.matrix_local.to_3x3().inverted() @ Vector((1, 0, 0))
-        bone.rotation_mode = "QUATERNION"
-        bone.rotation_quaternion = Matrix.Rotation(math.radians(-degrees), 3, axis).to_quaternion()
+    for name, degrees in POSE.items():
+        bend(rig.pose.bones[name], degrees)
     return rig
+
+
+def bend(bone, degrees):
+    """Turns a pose bone forwards, about the figure's left-right axis."""
+    axis = bone.bone.matrix_local.to_3x3().inverted() @ Vector((1, 0, 0))
+    bone.rotation_mode = "QUATERNION"
+    bone.rotation_quaternion = Matrix.Rotation(math.radians(-degrees), 3, axis).to_quaternion()
 
 
 def spindle(head, tail, steps: int = 9):

@@ -59,22 +59,23 @@ float mean_stroke_ink(int first, ivec2 size, float v, float half_width_px)
 // For a texture anchored to its path: (repetitions along the whole path, weight) of the finer of two blended octaves;
 // the coarser one has half the repetitions. Repetitions are powers of two, so that in a zoom they stay in place or
 // split in two: 2^n with n = ceil(log2 lengths), for a path of so many texture lengths. At the end of an octave only
-// the finer one is left, which is the coarser one of the next. Benard et al., "Self-Similar Line Artmaps", 2010. Paths
-// below a pixel count as one.
+// the finer one is left, which is the coarser one of the next; in its middle, where both are as far from the wanted
+// length, they weigh the same. Benard et al., "Self-Similar Line Artmaps", 2010. Paths below a pixel count as one.
 vec2 stroke_octave(float path_px, float texture_length_px)
 {
   float lengths = max(path_px, 1.0f) / texture_length_px;
   float repeats = exp2(ceil(log2(lengths)));
-  return vec2(repeats, clamp(2.0f * lengths / repeats - 1.0f, 0.0f, 1.0f));
+  float share = clamp(lengths / repeats, 0.5f, 1.0f);
+  return vec2(repeats, (share - 0.5f) / (share - 0.5f + 0.70710678f * (1.0f - share)));
 }
 
-// Ink of a texture anchored to a path of length path_px, u px from its middle. Two octaves are blended, and the
+// Ink of a texture anchored to a path, at this place on it, where all of it would have path_px pixels. Two octaves are blended, and the
 // contrast along the line that the blend loses is restored about the mean of the row, so that darkness and roughness
 // are constant in a zoom; the profile across the line is unchanged.
-float anchored_stroke_ink(int first, ivec2 size, float u, float v, float half_width_px, float path_px, float texture_length_px)
+float anchored_stroke_ink(int first, ivec2 size, float place, float v, float half_width_px, float path_px, float texture_length_px)
 {
   vec2 octave = stroke_octave(path_px, texture_length_px);
-  float along = u / max(path_px, 1.0f) * octave.x, finer = octave.y;
+  float along = place * octave.x, finer = octave.y;
   float fine = stroke_ink(first, size, along, v, half_width_px);
   float coarse = stroke_ink(first, size, 0.5f * along, v, half_width_px);
   float mean = mean_stroke_ink(first, size, v, half_width_px);

@@ -14,7 +14,7 @@ from the_addon import part
 
 sys.path.insert(0, str(Path(__file__).parents[2] / "blender_scripts"))
 
-from bench import focus, peers, scale, visibility
+from bench import coherence, focus, peers, scale, visibility
 
 SMALL = ("--size", "160x90", "--scenes", "boxes:3", "--json")
 
@@ -80,6 +80,17 @@ def test_bench_focus_tells_figures_of_every_part(rows_of):
     assert all(value[figure] > 0 for figure in counts)
     assert any("gpu" in figure for figure in value)
     assert sum("in focus / out of it" in figure for figure in value) == 14  # of two styles, two kinds of focus
+
+
+def test_bench_coherence_finds_dashes_that_hold_still_and_those_that_slide(capfd):
+    """In a zoom, on lines of the mesh: Line Art's begin at the strokes' starts, from where they slide."""
+    words = "--quick", "--frames", "3", "--scenes", "zoom", "--renderers", "fovea,line_art", "--lines", "mesh"
+    assert coherence.main([*words, "--json"], bpy.app.binary_path, dict(os.environ), None) == 0
+    rows = json.loads(capfd.readouterr().out)
+    assert [row["renderer"] for row in rows] == ["fovea", "line_art"] and len(coherence.table(rows).splitlines()) == 3
+    for row in rows:
+        assert tuple(row) == coherence.COLUMNS and row["pure"] and row["frame_s"] > 0
+    assert rows[0]["slide_p95_px"] < 0.02 and rows[1]["slide_median_px"] > 0.2
 
 
 def test_bench_scale_tells_times_memory_and_stages_of_every_count(capfd):

@@ -50,7 +50,7 @@ def test_a_sheet_has_a_tile_for_each_of_its_drawings(tmp_path, monkeypatch):
     assert all(tile[: picture.start].min() < 0.5 for tile in (lined, empty))  # labels
 
 
-@pytest.mark.parametrize("name", ["transfers/curve", "lines/border", "way/2_lines", "focus/image"])
+@pytest.mark.parametrize("name", ["transfers/curve", "lines/border", "way/2_lines", "focus/image", "animation/zoom"])
 def test_a_picture_of_the_documentation_has_its_size_and_something_on_it(tmp_path, monkeypatch, name):
     """Stages of the method are shown on boxes, as the demo scene takes seconds."""
     monkeypatch.setattr(pages.scene_source, "open_scene", lambda spec: scenes.build("boxes:2"))

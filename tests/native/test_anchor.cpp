@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 #include <random>
 
+#include <fovea/stroke/anchor.h>
 #include <fovea/stroke/fragment.h>
+#include <fovea/stroke/hand.h>
 #include <fovea/stroke/ink.h>
 
 #include "stroke_fixture.h"
@@ -41,8 +43,7 @@ vec2 octave(float path_px) { return formulas::Stroke{}.stroke_octave(path_px, le
 std::vector<float> along(const PenTexture& texture, float path_px, double from, double to, int count) {
     std::vector<float> ink;
     for (int i = 0; i < count; ++i)
-        ink.push_back(
-            anchored_ink(texture, float((from + (to - from) * i / count) * path_px), 0.3f, 2.0f, path_px, length_px));
+        ink.push_back(anchored_ink(texture, float(from + (to - from) * i / count), 0.3f, 2.0f, path_px, length_px));
     return ink;
 }
 
@@ -77,8 +78,8 @@ TEST(Anchor, RepetitionsAreAPowerOfTwoNoLongerThanThePenSays) {
     }
     EXPECT_EQ(octave(800.0f).x, 8.0f);
     EXPECT_EQ(octave(800.0f).y, 1.0f);
-    EXPECT_EQ(octave(1200.0f).x, 16.0f);
-    EXPECT_EQ(octave(1200.0f).y, 0.5f);
+    EXPECT_EQ(octave(800.0f * std::sqrt(2.0f)).x, 16.0f);
+    EXPECT_NEAR(octave(800.0f * std::sqrt(2.0f)).y, 0.5f, 1e-6f) << "as far from both lengths";
     EXPECT_EQ(octave(0.0f).x, octave(1.0f).x) << "no path, no infinities";
 }
 
@@ -166,7 +167,7 @@ TEST(Anchor, StrokesHaveTheLengthOfTheirWholePath) {
     Runs part;
     add_run(part, 0, -60.0, 10.0);
     const Strokes strokes = strokes_of(clipped, part, p);
-    for (const float path : strokes.path_px) EXPECT_EQ(path, 160.0f);
+    for (const vec2 anchor : strokes.anchor) EXPECT_EQ(anchor.y, 160.0f);
     const auto some = picture(strokes, p, 180, 40, {&texture, 1});
     const auto all = picture(strokes_of(clipped, whole_runs(clipped), p), p, 180, 40, {&texture, 1});
     const PenTexture fitted = fit_texture(texture, 33.0f, 6.0f);
@@ -174,8 +175,100 @@ TEST(Anchor, StrokesHaveTheLengthOfTheirWholePath) {
         for (int y = 18; y < 22; ++y) {
             EXPECT_NEAR(some[y * 180 + x].a, all[y * 180 + x].a, 1e-5f);
             const float u = float(x) + 0.5f - 90.0f, v = float(y) + 0.5f - 20.0f;
-            EXPECT_NEAR(some[y * 180 + x].a, anchored_ink(fitted, u, v, 3.0f, 160.0f, 33.0f), 1e-4f);
+            EXPECT_NEAR(some[y * 180 + x].a, anchored_ink(fitted, u / 160.0f, v, 3.0f, 160.0f, 33.0f), 1e-4f);
         }
+}
+
+/// The middle line of a wire as a pen that is fixed to its path has it.
+CenterLine placed(const wires::Wires& wires, const View& view, double window_px = length_px) {
+    const ClippedPaths clipped = wires.project(view);
+    EXPECT_EQ(clipped.pieces.count(), 1u);
+    CenterLine line;
+    cut(clipped, {}, 0, clipped.first_arc(0), clipped.last_arc(0), line);
+    PathAnchor(clipped, &wires.paths, 0, window_px).place(line);
+    return line;
+}
+
+/// A straight edge, two units long, that has turned by `angle` towards the camera.
+std::vector<dvec3> turned(double angle) {
+    const dvec3 way(std::cos(angle), 0.2, std::sin(angle)), middle(0.1, 0.3, -3.0);
+    return {middle - way, middle + way};
+}
+
+TEST(Anchor, MarksOfAnEdgeThatTurnsTowardsTheCameraStayAtTheirPointsOfIt) {
+    const View view = wires::camera();
+    for (const double angle : {0.0, 0.5, 1.0, 1.4}) {
+        const std::vector<dvec3> edge = turned(angle);
+        const CenterLine line = placed(wires::Wires({edge}), view);
+        ASSERT_GT(line.size(), 4u);
+        for (std::size_t i = 0; i + 1 < line.size(); ++i)
+            for (const double between : {0.0, 0.5}) {
+                const double along = glm::mix(line[i].along, line[i + 1].along, between);
+                const dvec3 point = glm::mix(edge[0], edge[1], along + 0.5);
+                const dvec2 px = to_pixels(view, view.view_to_clip * dvec4(point, 1.0));
+                const double off = glm::distance(px, glm::mix(line[i].px, line[i + 1].px, between));
+                EXPECT_LT(off, between > 0.0 ? 0.1 : 1e-3) << angle << " " << i;
+            }
+    }
+}
+
+TEST(Anchor, InAZoomOfFourDashesStayWithinHalfAnOctaveOfTheirLength) {
+    const wires::Wires wires({{{-0.3, 0.1, -3.0}, {0.4, 0.1, -3.0}}});
+    const CenterLine far = placed(wires, wires::camera());
+    for (double zoom = 1.0; zoom <= 4.0; zoom *= 1.07) {
+        View view = wires::camera();
+        view.view_to_clip = glm::scale(dmat4(1.0), dvec3(zoom, zoom, 1.0)) * view.view_to_clip;
+        const CenterLine line = placed(wires, view);
+        EXPECT_NEAR(line.front().whole_px, zoom * far.front().whole_px, 1e-2);
+        EXPECT_NEAR(line.front().along, -0.5, 1e-6);
+        EXPECT_NEAR(line.back().along, 0.5, 1e-6);
+        const vec2 of = formulas::Stroke{}.stroke_octave(float(line.front().whole_px), 18.0f);
+        const double dash = line.front().whole_px / (of.y >= 0.5f ? of.x : of.x / 2.0f);
+        EXPECT_LT(std::abs(std::log2(dash / 18.0)), 0.5001) << zoom;
+    }
+}
+
+TEST(Anchor, TheFarEndOfALineIntoDepthHasMarksAsLongInTheImageAsTheNearOne) {
+    const CenterLine line = placed(wires::Wires({turned(1.2)}), wires::camera(), 20.0);
+    EXPECT_LT(line.back().whole_px / line.front().whole_px, 4.0);
+    const auto end = std::ranges::minmax(line, {}, &CenterPoint::whole_px);
+    EXPECT_GT(end.max.whole_px / end.min.whole_px, 2.0) << "so that each has its own octave";
+}
+
+TEST(Anchor, LinesOfTheViewAreMeasuredInTheImage) {
+    wires::Wires wires({turned(1.2)});
+    wires.paths.of_view[0] = 1;
+    for (const CenterPoint& p : placed(wires, wires::camera())) EXPECT_NEAR(p.along, p.arc / p.whole_px, 1e-12);
+}
+
+TEST(Anchor, MarksAreFixedToArcLengthsOfTheRestShape) {
+    wires::Wires wires({{{-0.5, 0.0, -3.0}, {0.0, 0.0, -3.0}, {0.5, 0.0, -3.0}}});
+    wires.paths.arc_obj = {0.0, 3.0, 4.0};  // its first half is pressed together
+    const CenterLine line = placed(wires, wires::camera(), 2.0);
+    const auto middle = std::ranges::find(line, 0.0, &CenterPoint::arc);
+    ASSERT_NE(middle, line.end());
+    EXPECT_NEAR(middle->along, 0.25, 1e-9);
+    EXPECT_NEAR(line.front().whole_px, 1.0 / 3.0 * line.back().whole_px, 1e-3);
+}
+
+TEST(Anchor, WobbleOfAPenFixedToItsPathGrowsWithTheLineInSteps) {
+    const auto wobbled = [](double whole_px) {
+        CenterLine line;
+        for (int i = 0; i <= 400; ++i) {
+            const double along = i / 400.0 - 0.5;
+            line.push_back({{whole_px * along, 0.0}, whole_px * along, 2.0f});
+            line.back().along = along;
+            line.back().whole_px = whole_px;
+        }
+        wobble(line, 5.0, 40.0, 7);
+        return line;
+    };
+    const auto at = [](const CenterLine& line, double along) {
+        const auto p = std::ranges::min_element(line, {}, [&](const auto& q) { return std::abs(q.along - along); });
+        return p->px.y;
+    };
+    const CenterLine before = wobbled(640.0), after = wobbled(650.0);
+    for (double along = -0.4; along < 0.4; along += 0.05) EXPECT_NEAR(at(before, along), at(after, along), 0.4);
 }
 
 TEST(Anchor, PenTableHasTheRowsMeansAfterTheInk) {

@@ -194,7 +194,8 @@ Emphasis Frame::emphasis(In<float> opacity) const {
 
 Inking Frame::inking(In<float> opacity) const {
     check(drawn != nullptr, "frame: its strokes are not made yet");
-    Inking made{*clipped, *drawn, pen_of_run_, paths->strength, pens.pens, samples, emphasis(opacity), paths->id};
+    Inking made{*clipped,          *drawn,    pen_of_run_, paths->strength, pens.pens, samples,
+                emphasis(opacity), paths->id, paths.get()};
     made.paints = pen_paints_.of_pens();
     return made;
 }

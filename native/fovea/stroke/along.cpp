@@ -6,6 +6,7 @@
 
 #include <fovea/base/elementary.h>
 #include <fovea/base/view.h>
+#include <fovea/stroke/anchor.h>
 #include <fovea/stroke/noise.h>
 
 namespace fovea::stroke {
@@ -136,7 +137,8 @@ void Modifiers::add_knots_of_paint(const Course& course, std::vector<double>& ar
     }
 }
 
-vec3 Modifiers::at(const CenterLine& line, const Course& course, double arc) const {
+vec3 Modifiers::at(const CenterLine& line, const Course& course, const CenterPoint& point) const {
+    const double arc = point.arc;
     vec3 taken(0.0f);
     if (along_) {
         const double start = line.front().arc;
@@ -155,7 +157,7 @@ vec3 Modifiers::at(const CenterLine& line, const Course& course, double arc) con
         taken = focus::both(taken, distance_.share * float(std::clamp(share, 0.0, 1.0)));
     }
     if (noise_.any) {
-        const double noise = 0.5 + 0.5 * two_octaves(arc / wave_px_, mixed(course.seed ^ stream));
+        const double noise = 0.5 + 0.5 * noise_along(point, wave_px_, mixed(course.seed ^ stream));
         taken = focus::both(taken, noise_.share * float(noise));
     }
     if (paint_.any()) {
@@ -181,8 +183,8 @@ void modify(CenterLine& line, const PenPair& pens, const Modifiers& in_focus, co
     const Pen &near_pen = pens.in_focus, &away_pen = pens.out_of_focus;
     const float near_opacity = float(near_pen.look.opacity), away_opacity = float(away_pen.look.opacity);
     for (CenterPoint& p : line) {
-        const vec3 near = in_focus.at(line, course, p.arc);
-        const vec3 away = &in_focus == &out_of_focus ? near : out_of_focus.at(line, course, p.arc);
+        const vec3 near = in_focus.at(line, course, p);
+        const vec3 away = &in_focus == &out_of_focus ? near : out_of_focus.at(line, course, p);
         thin(p, left(near_pen.width_px, away_pen.width_px, p.mix.z, near.x, away.x));
         p.opacity *= left(near_opacity, away_opacity, p.mix.w, near.y, away.y);
         p.tint = glm::mix(near.z, away.z, p.mix.x);

@@ -22,7 +22,7 @@ struct Course {
 /// - along: the place between the start (0) and the end (1) of the stroke;
 /// - nib: 1 - |sin| of the angle in the image between the stroke's direction and the nib, 1 along the nib;
 /// - distance: that along the view axis, from near (0) to far (1), which may be the nearer one;
-/// - noise: smooth noise of the arc length over the whole path, fixed to it.
+/// - noise: smooth noise along the whole path, fixed to it (noise_along).
 /// What is painted takes away the rest of width and opacity to what they are multiplied by, and changes the first
 /// color.
 class Modifiers {
@@ -33,8 +33,8 @@ class Modifiers {
     bool any() const { return along_ || nib_.any || distance_.any || noise_.any || paint_.any(); }
     /// Appends the arc lengths between which changes of this line are linear.
     void add_knots(const CenterLine& line, const Course& course, std::vector<double>& arcs) const;
-    /// (width, opacity, color) taken at a point, each in [0,1].
-    vec3 at(const CenterLine& line, const Course& course, double arc) const;
+    /// (width, opacity, color) taken at a point of the line, each in [0,1].
+    vec3 at(const CenterLine& line, const Course& course, const CenterPoint& point) const;
     /// The first color.
     dvec3 color_at(const Course& course, double arc) const;
 

@@ -20,10 +20,16 @@ constexpr double tip_width = 0.2;
 
 CenterPoint mix(const CenterPoint& a, const CenterPoint& b, double t) {
     const float s = float(t);
-    return {
-        glm::mix(a.px, b.px, t),           glm::mix(a.arc, b.arc, t),          glm::mix(a.half_width, b.half_width, s),
-        glm::mix(a.opacity, b.opacity, s), glm::mix(a.mix, b.mix, s),          glm::mix(a.shown, b.shown, s),
-        glm::mix(a.tint, b.tint, s),       glm::mix(a.thinness, b.thinness, s)};
+    return {glm::mix(a.px, b.px, t),
+            glm::mix(a.arc, b.arc, t),
+            glm::mix(a.half_width, b.half_width, s),
+            glm::mix(a.opacity, b.opacity, s),
+            glm::mix(a.mix, b.mix, s),
+            glm::mix(a.shown, b.shown, s),
+            glm::mix(a.tint, b.tint, s),
+            glm::mix(a.thinness, b.thinness, s),
+            glm::mix(a.along, b.along, t),
+            glm::mix(a.whole_px, b.whole_px, t)};
 }
 
 CenterPoint point_of(const ClippedPaths& clipped, In<float> strength, Index i) {
@@ -125,7 +131,7 @@ void lengthen(CenterLine& line, double before_px, double after_px) {
         const dvec2 other = inner != from_end.end() ? inner->px : std::ranges::prev(from_end.end())->px;
         if (other == end.px) return end;
         end.px += glm::normalize(end.px - other) * length;
-        end.arc += sign * length;
+        end.go(sign * length);
         return end;
     };
     before_px = std::min(before_px, most_overshoot);
@@ -218,7 +224,7 @@ void extend(CenterLine& line, Cap cap) {
     const auto beyond = [&](CenterPoint end, dvec2 inner, double sign) {
         const double reach = (cap == Cap::round ? end.half_width : 0.0) + 0.5;
         end.px += glm::normalize(end.px - inner) * reach;
-        end.arc += sign * reach;
+        end.go(sign * reach);
         return end;
     };
     const CenterPoint first = beyond(line.front(), line[1].px, -1.0);

@@ -25,6 +25,15 @@ struct CenterPoint {
     float thinness = 1.0f;
     /// Color without the second one, scene-linear; set last (along.h).
     dvec3 color{0.0};
+    /// Place on the whole path, from -.5 to .5, and how many pixels a path would have that is as large all along as it
+    /// is here: for marks fixed to the path (anchor.h). 0: no marks are.
+    double along = 0.0, whole_px = 0.0;
+
+    /// Moves its places along the line, which goes on as here.
+    void go(double px) {
+        arc += px;
+        if (whole_px > 0.0) along += px / whole_px;
+    }
 };
 
 using CenterLine = std::vector<CenterPoint>;

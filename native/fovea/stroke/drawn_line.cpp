@@ -5,7 +5,7 @@
 #include <string>
 
 #include <fovea/base/check.h>
-#include <fovea/path/paths.h>
+#include <fovea/stroke/anchor.h>
 #include <fovea/stroke/hand.h>
 
 namespace fovea::stroke {
@@ -15,7 +15,7 @@ constexpr double whole_error = 1e-3;  // px: tolerance for a run that covers its
 
 /// The pens of runs, and the places of strength.
 void check_pens(const Inking& inking) {
-    const auto& [clipped, runs, pen_of_run, strength, pens, visibility, emphasis, ids, tolerance, paints] = inking;
+    const auto& [clipped, runs, pen_of_run, strength, pens, visibility, emphasis, ids, paths, tolerance, paints] = inking;
     const std::size_t count = runs.size();
     check(runs.start_px.size() == count && runs.end_px.size() == count && runs.invisibility.size() == count,
           "runs: piece, start_px, end_px and invisibility must have the same length");
@@ -45,6 +45,11 @@ void check_pens(const Inking& inking) {
     }
 }
 
+bool is_anchored(const Pen& pen) { return pen.look.texture_anchor == Anchor::path; }
+
+/// Length of the marks of a pen.
+double window_px(const Pen& pen) { return pen.texture == none ? pen.look.wobble_length : pen.texture_length_px; }
+
 }  // namespace
 
 void check_inking(const Inking& inking) {
@@ -53,6 +58,8 @@ void check_inking(const Inking& inking) {
     check_emphasis(clipped, inking.emphasis);
     check(inking.ids.empty() || clipped.path.empty() || clipped.path.back() < inking.ids.size(),
           "ids: one per path expected");
+    check(!inking.paths || clipped.path.empty() || clipped.path.back() < inking.paths->count(),
+          "paths: not those that were clipped");
     check(inking.visibility.empty() || inking.visibility.size() == clipped.samples,
           "visibility: one value per atlas sample expected");
 }
@@ -63,7 +70,7 @@ LineShaper::LineShaper(const Inking& inking) : inking_(inking) {
 }
 
 bool LineShaper::shape(Index run, DrawnLine& out) const {
-    const auto& [clipped, runs, pen_of_run, strength, pens, visibility, emphasis, ids, tolerance, paints] = inking_;
+    const auto& [clipped, runs, pen_of_run, strength, pens, visibility, emphasis, ids, paths, tolerance, paints] = inking_;
     CenterLine& line = out.points;
     const Index piece = runs.piece[run], pen = pen_of_run[run];
     if (clipped.pieces.size(piece) < 2) return false;
@@ -86,9 +93,11 @@ bool LineShaper::shape(Index run, DrawnLine& out) const {
     const Index path = clipped.path[piece];
     const style::Pen& look = pens[pen].look;
     const std::uint64_t seed = (ids.empty() ? path : ids[path]) + static_cast<Index>(look.seed);
+    const Index away = pens[pen].away == none ? pen : pens[pen].away;
+    if (is_anchored(pens[pen]) || is_anchored(pens[away]))
+        PathAnchor(clipped, paths, piece, window_px(pens[pen])).place(line);
     wobble(line, float(look.wobble), float(look.wobble_length), seed);
     const int free = clipped.free_ends[piece];
-    const Index away = pens[pen].away == none ? pen : pens[pen].away;
     const PenPair pair{pens[pen], pens[away]};
     stroke::shape(line, pair, {(free & free_start) && from_first, (free & free_end) && to_last});
     press(line, float(look.pressure));

@@ -2,6 +2,7 @@
 // The center line of a run as its pen draws it, whatever makes marks of it: triangles (tessellate.h) or curves.
 #pragma once
 
+#include <fovea/path/paths.h>
 #include <fovea/stroke/along.h>
 #include <fovea/stroke/emphasis.h>
 #include <fovea/stroke/fade.h>
@@ -16,11 +17,12 @@ struct Inking {
     In<Index> pen_of_run;  ///< index into `pens` per run; `none` draws nothing
     In<float> strength;    ///< per point of Paths, in [0,1]; reduces width or opacity; empty: 1
     In<Pen> pens;
-    In<float> visibility = {};   ///< per atlas sample; partly visible ends fade (fade.h). Empty: all are sharp
-    Emphasis emphasis = {};      ///< mixes each pen with its out-of-focus pen, and fades elided lines
-    In<std::uint64_t> ids = {};  ///< per path of Paths, seed of its wobble and noise; empty: the path's number
-    double tolerance_px = 0.1;   ///< of what is drawn beside the run, as `simplify` takes it
-    In<PenPaint> paints = {};    ///< one per pen; empty: none takes anything of surfaces
+    In<float> visibility = {};     ///< per atlas sample; partly visible ends fade (fade.h). Empty: all are sharp
+    Emphasis emphasis = {};        ///< mixes each pen with its out-of-focus pen, and fades elided lines
+    In<std::uint64_t> ids = {};    ///< per path of Paths, seed of its wobble and noise; empty: the path's number
+    const Paths* paths = nullptr;  ///< to which pens fix their marks; null: all paths change with the view
+    double tolerance_px = 0.1;     ///< of what is drawn beside the run, as `simplify` takes it
+    In<PenPaint> paints = {};      ///< one per pen; empty: none takes anything of surfaces
 };
 
 /// Throws std::invalid_argument where arrays do not fit together.

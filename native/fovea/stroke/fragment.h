@@ -32,10 +32,11 @@ inline float ink(const PenTexture& texture, float along, float v, float half_wid
     return stroke.stroke_ink(0, stroke.size(), along, v, half_width);
 }
 
-inline float anchored_ink(const PenTexture& texture, float u, float v, float half_width, float path_px,
+/// `along`: place on the path, of which all has path_px pixels.
+inline float anchored_ink(const PenTexture& texture, float along, float v, float half_width, float path_px,
                           float texture_length_px) {
     formulas::Stroke stroke{&texture};
-    return stroke.anchored_stroke_ink(0, stroke.size(), u, v, half_width, path_px, texture_length_px);
+    return stroke.anchored_stroke_ink(0, stroke.size(), along, v, half_width, path_px, texture_length_px);
 }
 
 /// Ink over `below`; both premultiplied. alpha = coverage * ink * vertex opacity.

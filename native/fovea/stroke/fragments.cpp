@@ -18,9 +18,9 @@ void check_pieces(const Strokes& strokes, const SpineTest& spine) {
 void check_input(const Strokes& strokes, In<Pen> pens) {
     const std::size_t count = strokes.px.size();
     check(strokes.arc.size() == count && strokes.half_width.size() == count && strokes.opacity.size() == count &&
-              strokes.mix.size() == count && strokes.path_px.size() == count && strokes.pen.size() == count &&
+              strokes.mix.size() == count && strokes.anchor.size() == count && strokes.pen.size() == count &&
               (strokes.color.empty() || strokes.color.size() == count),
-          "strokes: px, arc, half_width, opacity, mix, path_px, pen and color must have the same length");
+          "strokes: px, arc, half_width, opacity, mix, anchor, pen and color must have the same length");
     Index corner = 0, pen = 0;
     for (const glm::uvec3 t : strokes.triangles) corner = std::max({corner, t.x, t.y, t.z});
     for (const Index p : strokes.pen) pen = std::max(pen, p);

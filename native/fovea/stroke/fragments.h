@@ -43,12 +43,15 @@ class Fragments {
         const OverTriangle<4> values(shape, corner(c[0]), corner(c[1]), corner(c[2]));
         const OverTriangle<3> mixes(shape, dvec3(strokes_.mix[c[0]]), dvec3(strokes_.mix[c[1]]),
                                     dvec3(strokes_.mix[c[2]]));
-        const float start = strokes_.arc[c[0]].z, end = strokes_.arc[c[0]].w, path_px = strokes_.path_px[c[0]];
+        const float start = strokes_.arc[c[0]].z, end = strokes_.arc[c[0]].w;
+        const OverTriangle<2> anchors(shape, dvec2(strokes_.anchor[c[0]]), dvec2(strokes_.anchor[c[1]]),
+                                      dvec2(strokes_.anchor[c[2]]));
         const Pen& pen = pens_[strokes_.pen[c[0]]];
         const Index away = pen.away;
         const Pen& other = away == none ? pen : pens_[away];
         const bool colored = !strokes_.color.empty();
         const OverTriangle<3> colors(shape, color(c[0]), color(c[1]), color(c[2]));
+        const bool fixed = pen.look.texture_anchor == Anchor::path || other.look.texture_anchor == Anchor::path;
         const bool tinted = strokes_.mix[c[0]].z + strokes_.mix[c[1]].z + strokes_.mix[c[2]].z > 0.0f;
         for (int y = box.y0; y < box.y1; ++y) {
             int x0 = box.x0, x1 = box.x1;
@@ -67,19 +70,20 @@ class Fragments {
                     const vec3 second(pen.look.second_color), second_away(other.look.second_color);
                     color = glm::mix(color, glm::mix(second, second_away, mix.x), mix.z);
                 }
-                const float ink = ink_of(strokes_.pen[c[0]], f, path_px);
-                alpha *= away == none ? ink : glm::mix(ink, ink_of(away, f, path_px), mix.y);
+                const vec2 anchor = fixed ? anchors.at(x, y) : vec2(0.0f);
+                const float ink = ink_of(strokes_.pen[c[0]], f, anchor);
+                alpha *= away == none ? ink : glm::mix(ink, ink_of(away, f, anchor), mix.y);
                 if (spine_) alpha *= spine_->visibility(strokes_.piece[c[0]], std::clamp(f[0], start, end));
                 each(x, y, Fragment{c[0], f[0], color, alpha * f[3]});
             }
         }
     }
 
-    float ink_of(Index number, const vec4& f, float path_px) const {
+    float ink_of(Index number, const vec4& f, const vec2& anchor) const {
         const Pen& pen = pens_[number];
         if (pen.texture == none) return 1.0f;
         if (pen.look.texture_anchor == Anchor::path)
-            return anchored_ink(inks_[number], f[0], f[1], f[2], path_px, pen.texture_length_px);
+            return anchored_ink(inks_[number], anchor.x, f[1], f[2], anchor.y, pen.texture_length_px);
         return ink(inks_[number], f[0] / pen.texture_length_px, f[1], f[2]);
     }
 

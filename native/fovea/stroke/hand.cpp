@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include <fovea/base/elementary.h>
-#include <fovea/stroke/noise.h>
+#include <fovea/stroke/anchor.h>
 
 namespace fovea::stroke {
 namespace {
@@ -28,7 +28,7 @@ void wobble(CenterLine& line, double amount_px, double length_px, std::uint64_t 
     const double start = line.front().arc, end = line.back().arc;
     std::vector<dvec2> shift(line.size());
     for (std::size_t i = 0; i < line.size(); ++i) {
-        const double way = two_octaves(line[i].arc / length_px, seed);
+        const double way = noise_along(line[i], length_px, seed);
         const double inside = std::clamp(std::min(line[i].arc - start, end - line[i].arc) / length_px, 0.0, 1.0);
         shift[i] = normal_at(line, i) * (amount_px * way * inside);
     }

@@ -148,7 +148,9 @@ class Strip {
                                .opacity = 0.5f * (p.opacity + q.opacity),
                                .mix = 0.5f * (p.mix + q.mix),
                                .tint = 0.5f * (p.tint + q.tint),
-                               .color = 0.5 * (p.color + q.color)};
+                               .color = 0.5 * (p.color + q.color),
+                               .along = 0.5 * (p.along + q.along),
+                               .whole_px = 0.5 * (p.whole_px + q.whole_px)};
         const CenterPoint& middle = merged && start ? p : merged && end ? q : mean;
         Corners split;
         if (glm::dot(a, b) > stretch_limit || (merged && (start || end))) {
@@ -187,7 +189,9 @@ class Strip {
         out_.half_width.push_back(p.half_width);
         out_.opacity.push_back(p.opacity);
         out_.mix.push_back({p.mix.x, p.mix.y, p.tint});
-        out_.path_px.push_back(ends_.path_px);
+        CenterPoint here = p;
+        here.go(u - p.arc);
+        out_.anchor.push_back({float(here.along), float(here.whole_px)});
         out_.pen.push_back(ends_.pen);
         if (ends_.colored) out_.color.push_back(vec3(p.color));
         return Index(out_.px.size()) - 1;

@@ -14,8 +14,6 @@ inline constexpr double mitre_limit = -0.17, mitre_length = 1.556;
 struct StripEnds {
     /// u of the run's start and end; caps lie beyond them.
     float start, end;
-    /// Length of the whole path [px].
-    float path_px;
     Index pen;
     /// Whether the strip's vertices have colors.
     bool colored;

@@ -15,7 +15,7 @@ struct Strokes {
     Array<vec4> arc;
     Array<float> half_width, opacity;
     Array<vec3> mix;
-    Array<float> path_px;
+    Array<vec2> anchor;
     Array<Index> pen, piece;
     Array<vec3> color;
 
@@ -32,8 +32,10 @@ struct Strokes {
             "mix", &Strokes::mix,
             "(V, 3) float32, each in [0, 1]: how far color and ink are those of the pen out of focus, and how far the "
             "color is the pen's second one"},
-        Column{"path_px", &Strokes::path_px,
-               "(V,) float32 length of the whole path [px], the same all over a stroke; for textures anchored to it"},
+        Column{
+            "anchor", &Strokes::anchor,
+            "(V, 2) float32, for marks fixed to the path: place on the whole path, from -.5 to .5, and the pixels of "
+            "a path that is as large all along as it is here; 0 where no marks are fixed to it"},
         Column{"pen", &Strokes::pen, "(V,) uint32 index of the pen in focus, the same all over a stroke"},
         Column{"piece", &Strokes::piece,
                "(V,) uint32 piece of ClippedPaths that it belongs to; only the spine test asks, and it may be empty "

@@ -46,8 +46,7 @@ Strokes tessellate(const Inking& inking) {
                 const float ends[] = {drawn.closed ? -endless : float(line.front().arc),
                                       drawn.closed ? endless : float(line.back().arc)};
                 if (!drawn.closed) extend(line, inking.pens[pen].look.cap);
-                const float path_px = float(inking.clipped.path_length_px[piece]);
-                add_strip(line, drawn.closed, {ends[0], ends[1], path_px, pen, colored}, out);
+                add_strip(line, drawn.closed, {ends[0], ends[1], pen, colored}, out);
                 out.piece.resize(out.px.size(), piece);
                 ++out.count;
             }

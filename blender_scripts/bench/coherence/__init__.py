@@ -1,0 +1,82 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""`fovea bench coherence`: how steady lines are from frame to frame, beside Freestyle and Line Art.
+
+One process per scene and renderer; runs in plain Python. All lines are dashes of PERIOD pixels, whose coordinate along
+the line is what slides or holds still. Freestyle and Line Art begin it anew at each stroke's start.
+
+The same measures, on the same grounds (measures.py), for all: points of a frame's strokes are moved with the scene to
+the next frame, and found on the strokes there. window: frames to each side that a frame's lines answer to. pure:
+whether frames drawn backwards, in another order and alone in a new scene are equal. changes_per_frame: mean change of
+the number of strokes. slide: how far dashes move along a moving point's line, at most half a period, in pixels.
+stretch: |log2| of a dash's length on paper over the wanted one. blinks_per_1000: strokes that live for at most two
+frames, of 1000 strokes. popping: mean change of ink at points that move with the scene. frame_s: seconds a frame."""
+
+import argparse
+import sys
+from pathlib import Path
+
+from .. import peers
+
+WORKER = Path(__file__).with_name("worker.py")
+SCENES = ("orbit", "turntable", "dolly", "zoom", "walk")  # motions.py
+RENDERERS = ("fovea", "freestyle", "line_art")
+LINES = {"mesh": ("crease", "border"), "view": ("contour",)}  # fixed to the mesh; of the view
+ANCHORS = ("screen", "path")
+FRAMES, QUICK_FRAMES = 16, 4
+PERIOD = 18  # pixels of a dash and its gap
+MEASURES = (
+    "pure", "changes_per_frame", "slide_median_px", "slide_p95_px", "stretch_median", "stretch_p95", "blinks_per_1000",
+    "popping", "frame_s",
+)  # fmt: skip
+COLUMNS = ("scene", "renderer", "lines", "window", *MEASURES)
+
+
+def parse(words):
+    parser = argparse.ArgumentParser("fovea bench coherence", description=__doc__.splitlines()[0])
+    add = parser.add_argument
+    add("--scenes", type=peers.some_of(SCENES), default=list(SCENES), metavar="A,B", help=", ".join(SCENES))
+    add("--renderers", type=peers.some_of(RENDERERS), default=list(RENDERERS), metavar="A,B", help="of all three")
+    add("--lines", type=peers.some_of(LINES), default=list(LINES), metavar="A,B", help="mesh: creases; view: contours")
+    add("--anchor", choices=ANCHORS, default="path", help="what Fovea's dashes are fixed to (path)")
+    add("--size", type=peers.frame_size, metavar="WxH", help="of the picture (960x540)")
+    add("--frames", type=peers.count, metavar="N", help=f"of each scene, at least 2 ({FRAMES})")
+    add("--pictures", type=Path, metavar="FOLDER", help="for strips of frames, and one row of pixels over time")
+    add("--quick", action="store_true", help=f"{QUICK_FRAMES} frames of 320x180")
+    add("--timeout", type=float, default=1800, metavar="S", help="seconds a process may take (1800)")
+    add("--json", action="store_true", help="print JSON instead of a table")
+    options = parser.parse_args(words)
+    options.frames = max(options.frames or (QUICK_FRAMES if options.quick else FRAMES), 2)
+    options.size = options.size or ((320, 180) if options.quick else (960, 540))
+    return options
+
+
+def main(words, blender, environment, shared: Path | None) -> int:
+    """`environment`: for a Blender with the extension installed."""
+    options = parse(words)
+    rows, failed = [], False
+    for scene in options.scenes:
+        for renderer in options.renderers:
+            print(f"fovea: {scene}, {renderer}", file=sys.stderr, flush=True)
+            asked = {
+                "scene": scene, "renderer": renderer, "lines": options.lines, "anchor": options.anchor,
+                "size": options.size, "frames": options.frames, "shared": str(shared or ""),
+                "pictures": str(options.pictures.absolute()) if options.pictures else "",
+            }  # fmt: skip
+            found, problem = peers.measured(WORKER, asked, blender, environment, options.timeout)
+            rows += found
+            if problem:
+                failed = True
+                rows.append({**dict.fromkeys(COLUMNS), "scene": scene, "renderer": renderer, "problem": problem})
+    print(peers.as_json(rows) if options.json else table(rows))
+    return 1 if failed else 0
+
+
+def table(rows):
+    cells = [COLUMNS] + [tuple("" if row[name] is None else str(row[name]) for name in COLUMNS) for row in rows]
+    widths = [max(len(line[k]) for line in cells) for k in range(len(COLUMNS))]
+    lines = [
+        "  ".join(cell.ljust(w) if k < 3 else cell.rjust(w) for k, (cell, w) in enumerate(zip(line, widths))).rstrip()
+        for line in cells
+    ]
+    lines += [f"{row['scene']} {row['renderer']}: {row['problem']}" for row in rows if "problem" in row]
+    return "\n".join(lines)

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fovea/stroke/anchor.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <fovea/base/view.h>
+#include <fovea/stroke/fragment.h>
+#include <fovea/stroke/noise.h>
+
+namespace fovea::stroke {
+namespace {
+
+constexpr double step_px = 8.0;  // between points in which places are exact, as perspective bends them
+
+}  // namespace
+
+PathAnchor::PathAnchor(const ClippedPaths& clipped, const Paths* paths, Index piece, double window_px)
+    : clipped_(clipped), paths_(paths), piece_(piece), window_px_(window_px) {
+    const Index path = clipped.path[piece];
+    if (paths_ && !paths_->of_view[path]) rest_length_ = paths_->arc_obj[paths_->rows.end(path) - 1];
+    if (!(rest_length_ > 0.0)) paths_ = nullptr;
+}
+
+void PathAnchor::place(CenterLine& line) const {
+    if (line.size() < 2) return;
+    if (paths_) insert_points(line, multiples(line, step_px));
+    for (CenterPoint& p : line) place(p);
+}
+
+/// Arc length in the rest shape, from the start of the path, at one in the image inside the piece.
+double PathAnchor::rest_at(double arc) const {
+    const Index i = clipped_.segment_at(piece_, arc), from = clipped_.source[i];
+    const double near = -clipped_.position_view[i].z, far = -clipped_.position_view[i + 1].z;
+    const double on_screen = clipped_.share_at(i, arc);
+    const double share = clipped_.orthographic ? on_screen : share_in_space(on_screen, near, far);
+    const double begin = clipped_.source_t[i], end = clipped_.source[i + 1] == from ? clipped_.source_t[i + 1] : 1.0;
+    return glm::mix(paths_->arc_obj[from], paths_->arc_obj[from + 1], glm::mix(begin, end, share));
+}
+
+void PathAnchor::place(CenterPoint& point) const {
+    const double whole_px = std::max(clipped_.path_length_px[piece_], 1.0);
+    point.whole_px = whole_px;
+    point.along = point.arc / whole_px;
+    if (!paths_) return;
+    const double first = clipped_.first_arc(piece_), last = clipped_.last_arc(piece_);
+    const double inside = std::clamp(point.arc, first, last);
+    const double low = std::max(inside - 0.5 * window_px_, first), high = std::min(inside + 0.5 * window_px_, last);
+    const double rest = rest_at(high) - rest_at(low);
+    if (rest > 0.0) point.whole_px = (high - low) / rest * rest_length_;
+    // Beyond the ends of its piece a line goes on as long as it was in the image.
+    point.along = rest_at(inside) / rest_length_ - 0.5 + (point.arc - inside) / point.whole_px;
+}
+
+double noise_along(const CenterPoint& point, double length_px, std::uint64_t seed) {
+    if (!(point.whole_px > 0.0)) return two_octaves(point.arc / length_px, seed);
+    const vec2 octave = formulas::Stroke{}.stroke_octave(float(point.whole_px), float(length_px));
+    const double along = point.along * octave.x, finer = octave.y;
+    const double blend = glm::mix(two_octaves(0.5 * along, seed), two_octaves(along, seed), finer);
+    return std::clamp(blend / std::sqrt(finer * finer + (1.0 - finer) * (1.0 - finer)), -1.0, 1.0);
+}
+
+}  // namespace fovea::stroke

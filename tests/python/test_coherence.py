@@ -1,0 +1,87 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The measures of `fovea bench coherence`, on strokes whose motion is known."""
+
+import numpy as np
+import pytest
+from bench.coherence import PERIOD, measures
+from bench.coherence.strokes import Strokes, sampled
+
+PX_OF_UNIT = 50.0  # pixels of a unit of the scene, which is seen from above
+
+
+def lines(*ends, shift=0.0, whole_px=PERIOD, octaves=False):
+    """Strokes along y = 0, 1, ... from x0 to x1 each, whose dashes are moved by `shift` pixels."""
+    world = np.array([(x, y, 0.0) for y, pair in enumerate(ends) for x in pair], float).reshape(-1, 3)
+    offsets = np.arange(0, 2 * len(ends) + 1, 2)
+    along = (PX_OF_UNIT * world[:, 0] + shift) / whole_px
+    return Strokes(
+        offsets, PX_OF_UNIT * world[:, :2], world, np.ones(len(world)), along, np.full(len(world), whole_px), octaves
+    )
+
+
+def seen(points, by=0.0):
+    moved = points + (by, 0.0, 0.0)
+    return PX_OF_UNIT * moved[:, :2], np.ones(len(points))
+
+
+def figures(*frames, by=0.0):
+    steady = measures.Steadiness()
+    for strokes in frames:
+        steady.see(strokes, lambda points: seen(points, by))
+    return steady.figures()
+
+
+def test_strokes_that_stay_neither_slide_nor_pop_nor_blink():
+    told = figures(*[lines((0, 4), (1, 5))] * 4)
+    assert told["slide_p95_px"] == pytest.approx(0, abs=1e-9) and told["stretch_p95"] == 0
+    assert told["popping"] == told["blinks_per_1000"] == told["changes_per_frame"] == 0
+
+
+def test_dashes_that_move_with_a_moving_line_hold_still():
+    step = 0.04
+    frames = [lines((k * step, 4 + k * step), shift=-PX_OF_UNIT * k * step) for k in range(4)]
+    assert figures(*frames, by=step)["slide_p95_px"] == pytest.approx(0, abs=1e-9)
+
+
+@pytest.mark.parametrize(("shift", "slide"), [(3.0, 3.0), (-5.0, 5.0), (PERIOD, 0.0), (PERIOD - 2.0, 2.0)])
+def test_slide_is_the_way_of_dashes_to_the_nearest_ones(shift, slide):
+    told = figures(*[lines((0, 4), shift=k * shift) for k in range(3)])
+    assert told["slide_median_px"] == pytest.approx(slide, abs=1e-6)
+    assert (told["popping"] > 0) == (slide > 0)
+
+
+def test_stretch_is_that_of_the_level_that_has_most_of_the_ink():
+    for octave, stretch in ((0.0, 0.0), (0.25, 0.25), (0.5, 0.5), (0.75, 0.25), (1.0, 0.0), (3.25, 0.25)):
+        told = figures(lines((0, 4), whole_px=PERIOD * 2**octave, octaves=True))
+        assert told["stretch_median"] == pytest.approx(stretch, abs=1e-4), octave
+
+
+def test_levels_blend_without_a_jump_in_ink():
+    along = np.linspace(0, 1, 999)
+    whole = PERIOD * np.array([2 - 1e-9, 2 + 1e-9])
+    before, after = (measures.ink(along, np.full(999, each), True) for each in whole)
+    assert np.abs(before - after).max() < 1e-6
+
+
+def test_a_stroke_of_two_frames_is_a_blink_and_one_of_three_is_not():
+    one, both = lines((0, 4)), lines((0, 4), (0, 4))
+    blink = figures(one, both, both, one, one)
+    assert blink["blinks_per_1000"] == pytest.approx(1000 / 7, abs=1e-3) and blink["changes_per_frame"] == 0.5
+    assert figures(one, both, both, both, one, one)["blinks_per_1000"] == 0
+    assert figures(one, one, one, both, both)["blinks_per_1000"] == 0  # nobody knows how long it lives
+
+
+def test_ink_where_no_line_is_left_counts_as_gone():
+    told = figures(lines((0, 4), (0, 4)), lines((0, 4)))
+    assert told["popping"] == pytest.approx(measures.INKED / 2, abs=0.02)
+
+
+def test_samples_lie_in_the_middles_of_equal_parts_in_the_image_and_in_space():
+    strokes = lines((0, 2))
+    found = sampled(strokes, 10.0)
+    assert found.px[:, 0] == pytest.approx(np.arange(5, 100, 10.0))
+    near = Strokes(
+        strokes.offsets, strokes.px, strokes.world, np.array([1.0, 3.0]), strokes.along, strokes.whole_px, False
+    )
+    depth = sampled(near, 100.0).depth  # one sample, in the middle of the image
+    assert depth == pytest.approx(1.5)  # where 1 / depth is the mean of those of the ends
