@@ -187,8 +187,8 @@ COMPARE = {"overlay": Pair(*BUNNY, (("contour", "suggestive_contour"), ("contour
 # Name -> {picture: its description}; each group is a folder of addon/docs.
 GROUPS = {
     "lines": LINES, "sections": SECTIONS, "way": WAY, "focus": FOCUS, "strokes": STROKES, "painted": PAINTED,
-    "situations": SITUATIONS, "over": OVER, "transfers": TRANSFERS, "grease_pencil": GREASE_PENCIL, "animation": ANIMATION,
-    "compare": COMPARE,
+    "situations": SITUATIONS, "over": OVER, "transfers": TRANSFERS, "grease_pencil": GREASE_PENCIL,
+    "animation": ANIMATION, "compare": COMPARE,
 }  # fmt: skip
 
 

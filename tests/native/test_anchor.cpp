@@ -207,7 +207,7 @@ TEST(Anchor, MarksOfAnEdgeThatTurnsTowardsTheCameraStayAtTheirPointsOfIt) {
                 const dvec3 point = glm::mix(edge[0], edge[1], along + 0.5);
                 const dvec2 px = to_pixels(view, view.view_to_clip * dvec4(point, 1.0));
                 const double off = glm::distance(px, glm::mix(line[i].px, line[i + 1].px, between));
-                EXPECT_LT(off, between > 0.0 ? 0.1 : 1e-3) << angle << " " << i;
+                EXPECT_LT(off, between > 0.0 ? 0.05 : 1e-3) << angle << " " << i;
             }
     }
 }

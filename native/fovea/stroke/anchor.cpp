@@ -11,7 +11,7 @@
 namespace fovea::stroke {
 namespace {
 
-constexpr double step_px = 8.0;  // between points in which places are exact, as perspective bends them
+constexpr double step_px = 4.0;  // between points in which places are exact, as perspective bends them
 
 }  // namespace
 

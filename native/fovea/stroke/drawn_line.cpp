@@ -15,7 +15,8 @@ constexpr double whole_error = 1e-3;  // px: tolerance for a run that covers its
 
 /// The pens of runs, and the places of strength.
 void check_pens(const Inking& inking) {
-    const auto& [clipped, runs, pen_of_run, strength, pens, visibility, emphasis, ids, paths, tolerance, paints] = inking;
+    const auto& [clipped, runs, pen_of_run, strength, pens, visibility, emphasis, ids, paths, tolerance, paints] =
+        inking;
     const std::size_t count = runs.size();
     check(runs.start_px.size() == count && runs.end_px.size() == count && runs.invisibility.size() == count,
           "runs: piece, start_px, end_px and invisibility must have the same length");
@@ -70,7 +71,8 @@ LineShaper::LineShaper(const Inking& inking) : inking_(inking) {
 }
 
 bool LineShaper::shape(Index run, DrawnLine& out) const {
-    const auto& [clipped, runs, pen_of_run, strength, pens, visibility, emphasis, ids, paths, tolerance, paints] = inking_;
+    const auto& [clipped, runs, pen_of_run, strength, pens, visibility, emphasis, ids, paths, tolerance, paints] =
+        inking_;
     CenterLine& line = out.points;
     const Index piece = runs.piece[run], pen = pen_of_run[run];
     if (clipped.pieces.size(piece) < 2) return false;

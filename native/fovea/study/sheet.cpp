@@ -117,7 +117,7 @@ vector::Document prompt_sheet(const color::GrayImage& picture, vector::Sheet she
         marks.curves.push_back(circle(lower + mark, mark_radius * width));
     layer.paths.push_back(std::move(marks));
     page.layers.push_back(std::move(layer));
-    page.labels.push_back({title, dvec2(left, margin), 0.6 * line_of_text});
+    page.captions.push_back({title, dvec2(left, margin), 0.6 * line_of_text});
     return page;
 }
 

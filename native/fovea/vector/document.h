@@ -47,7 +47,7 @@ struct Image {
 };
 
 /// A line of text, in black.
-struct Label {
+struct Caption {
     std::string text;  ///< UTF-8
     dvec2 place;       ///< where its base line begins
     double size;       ///< of its letters
@@ -56,11 +56,11 @@ struct Label {
 /// The origin is the lower left corner, y goes up.
 struct Document {
     dvec2 size{0.0};
-    bool in_pixels = false;      ///< whether the unit is the pixel, else it is the millimeter
-    std::optional<dvec3> paper;  ///< its color as displayed; none: transparent
-    std::optional<Image> image;  ///< below all layers
-    std::vector<Layer> layers;   ///< from below
-    std::vector<Label> labels;   ///< above all layers; in PDF files alone
+    bool in_pixels = false;         ///< whether the unit is the pixel, else it is the millimeter
+    std::optional<dvec3> paper;     ///< its color as displayed; none: transparent
+    std::optional<Image> image;     ///< below all layers
+    std::vector<Layer> layers;      ///< from below
+    std::vector<Caption> captions;  ///< above all layers; in PDF files alone
 };
 
 /// Calls visit(path) for each path of a layer or document, from below.

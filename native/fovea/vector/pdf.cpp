@@ -94,7 +94,7 @@ class Writer {
         ground();
         std::string order;
         for (const Layer& layer : document_.layers) order += add(layer);
-        for (const Label& label : document_.labels) add(label);
+        for (const Caption& caption : document_.captions) add(caption);
         return file(scale, order);
     }
 
@@ -164,10 +164,10 @@ class Writer {
         content_ += curve.closed ? "h\n" : "\n";
     }
 
-    void add(const Label& label) {
-        content_ += "0 g BT /Text " + number(label.size) + " Tf ";
-        numbers({label.place.x, label.place.y});
-        content_ += "Td " + latin(label.text) + " Tj ET\n";
+    void add(const Caption& caption) {
+        content_ += "0 g BT /Text " + number(caption.size) + " Tf ";
+        numbers({caption.place.x, caption.place.y});
+        content_ += "Td " + latin(caption.text) + " Tj ET\n";
     }
 
     std::string resources() const {
@@ -179,7 +179,7 @@ class Writer {
         text += ">> /Properties << ";
         for (std::size_t i = 0; i < labels_.size(); ++i) text += "/L" + std::to_string(i) + " " + reference(i);
         if (document_.image) text += ">> /XObject << /Ground " + std::to_string(image_number) + " 0 R ";
-        if (!document_.labels.empty())
+        if (!document_.captions.empty())
             text +=
                 ">> /Font << /Text << /Type /Font /Subtype /Type1 /BaseFont /Helvetica /Encoding /WinAnsiEncoding >> ";
         return text + ">> >>";
