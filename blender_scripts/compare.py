@@ -18,6 +18,10 @@ import ending
 import scene_source
 from command import compare, draw_options
 
+# What is compared where no lines are named, and what each is compared with: Cole 2009, 3.2.
+NAMES = "ridge", "valley", "apparent_ridge", "suggestive_contour", "crease", "image_edge"
+OUTLINES = "silhouette", "contour"
+
 
 def main(words):
     options = compare.parse(words[1:])
@@ -31,8 +35,8 @@ def main(words):
         seen_by = scene.objects.get(options.camera)
         if seen_by is None:
             raise ValueError(f"--camera {options.camera}: there is no such object in the scene")
-    names = catalogue.named(options.lines) if options.lines else definition_strengths.NAMES
-    of_scene = definition_strengths.found(bpy.context, (width, height), names, seen_by)
+    names = catalogue.named(options.lines) if options.lines else NAMES
+    of_scene = definition_strengths.found(bpy.context, (width, height), names, *OUTLINES, seen_by)
     explained = explained_lines.explain(*of_scene, compared.judges, compared.found["tolerance_px"])
     compared = replace(compared, found=compared.found | {"definitions": explained})
     if options.output:

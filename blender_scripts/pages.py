@@ -12,6 +12,7 @@ from pathlib import Path
 import bpy
 import numpy as np
 from bl_ext.user_default.fovea import comparison_report, native, style
+from bl_ext.user_default.fovea.render import vectors
 from bl_ext.user_default.fovea.style import style_data
 
 sys.path.insert(0, str(Path(__file__).parent))
@@ -93,6 +94,16 @@ def scene_in_colors(name, shown, size, path, crop=None, change=None):
     """(H, W, 3) picture of a scene or model, supersampled by 2. `shown`: a pages.Stage; `crop`: arguments of `magnify`;
     `change`: called with the scene before it is rendered."""
     open_model(name)
+    scene = set_up(shown, size, path)
+    if crop:
+        magnify(scene, *crop)
+    if change:
+        change(scene)
+    return in_colors(scene, path)
+
+
+def set_up(shown, size, path):
+    """The scene that is open, to be drawn as a pages.Stage at twice the size."""
     scene = bpy.context.scene
     width, height = quantities.frame_size(size)
     words = [*shown.words, "--size", f"{2 * width}x{2 * height}", "-o", str(path)]
@@ -100,12 +111,41 @@ def scene_in_colors(name, shown, size, path, crop=None, change=None):
     set_drawing(scene, options, shown.settings)
     if options.over:
         over.set_up(scene, options)
-    if crop:
-        magnify(scene, *crop)
-    if change:
-        change(scene)
+    return scene
+
+
+def in_colors(scene, path):
+    """(H, W, 3) render of half the scene's size."""
     picture.render(scene, path)
-    return picture.pixels(path)[..., :3].reshape(height, 2, width, 2, 3).mean(axis=(1, 3))
+    return halved(picture.pixels(path)[..., :3])
+
+
+def halved(pixels):
+    """(H, W, ...) means of the four pixels of each of (2 H, 2 W, ...)."""
+    height, width = np.array(pixels.shape[:2]) // 2
+    return pixels.reshape(height, 2, width, 2, *pixels.shape[2:]).mean(axis=(1, 3))
+
+
+def page(name, path):
+    """(H, W) part of a page in black and white of the demo scene, at half of its resolution."""
+    open_model("demo")
+    options = draw_options.parse([*pages.VECTORS[name].words, "-o", str(path)])
+    set_drawing(bpy.context.scene, options, pages.VECTORS[name].settings)
+    asked = vectors.screen(**draw_options.screen_options(options))
+    vectors.write(vectors.drawing(bpy.context, "png", asked), path)
+    gray, (width, height) = sheet.gray(path), quantities.frame_size(pages.PAGE_SIZE)
+    top, left = (int(share * (whole - 2 * part)) for share, whole, part in zip(pages.PAGE_PLACE, gray.shape, (height, width)))
+    return halved(gray[top : top + 2 * height, left : left + 2 * width])
+
+
+def frames(name, path):
+    """(H, W, 3) frames of a walk beside each other."""
+    motions.build("walk", pages.FRAMES[-1], SHARED)
+    scene, shown = set_up(pages.FARM[name], pages.FRAME_SIZE, path), []
+    for number in pages.FRAMES:
+        scene.frame_set(number)
+        shown.append(in_colors(scene, path))
+    return np.hstack(shown)
 
 
 def section(name, path):
@@ -121,7 +161,7 @@ def stroke(name, path):
     words = [*pages.STROKES_WORDS, "--size", f"{2 * width}x{2 * height}", "-o", str(path)]
     set_drawing(bpy.context.scene, draw_options.parse(words), pages.STROKES_PEN | pages.STROKES[name])
     picture.render(bpy.context.scene, path)
-    gray = sheet.gray(path).reshape(height, 2, width, 2).mean(axis=(1, 3))
+    gray = halved(sheet.gray(path))
     return np.round(gray * (GREYS - 1)) / (GREYS - 1)
 
 
@@ -197,7 +237,7 @@ def moving(name, path):
 DRAWN_BY = {
     "lines": line, "sections": section, "way": stage, "focus": stage, "strokes": stroke, "painted": painted,
     "situations": situation, "over": over_render, "transfers": plot, "grease_pencil": pencil, "animation": moving,
-    "compare": overlay,
+    "compare": overlay, "vectors": page, "farm": frames,
 }  # fmt: skip
 
 

@@ -11,15 +11,14 @@ from ..scene import camera, scene
 from ..scene.problem import CannotDraw
 from . import as_rendered, reading
 
-NAMES = "ridge", "valley", "apparent_ridge", "suggestive_contour", "crease", "image_edge"  # where none are named
-OUTER, CONTOURS = "silhouette", "contour"
 LEAST = 0.05  # of a threshold's default: the weakest lines that are looked at
 THRESHOLDS = np.geomspace(0.02, 1.0, 8)  # of definitions in the image, whose strengths end at their threshold
 
 
-def found(context, size, names=NAMES, seen_by=None):
+def found(context, size, names, outer, contours, seen_by=None):
     """(definitions, outer, contours) of a final render of the context's frame and view layer with (width, height)
-    pixels, as explained_lines.explain takes them. `seen_by`: an object, None: the scene's camera."""
+    pixels, as explained_lines.explain takes them. `names`: of the definitions; `outer`, `contours`: those of which the
+    other two are. `seen_by`: an object, None: the scene's camera."""
 
     def prepare(made):
         render = made.render
@@ -28,18 +27,18 @@ def found(context, size, names=NAMES, seen_by=None):
         if seen_by:
             as_rendered.see_from(seen_by, made)
 
-    return as_rendered.look(context, partial(_of_render, names=names), prepare)
+    return as_rendered.look(context, partial(_of_render, names=names, outlines=(outer, contours)), prepare)
 
 
-def _of_render(engine, depsgraph, names):
+def _of_render(engine, depsgraph, names, outlines):
     definitions = catalogue.by_name()
-    every = dict.fromkeys((OUTER, CONTOURS, *names), {})
+    every = dict.fromkeys((*outlines, *names), {})
     read = reading.Reader().read(depsgraph, pipeline.style_of_lines(every))
     if not read.snapshot.surfaces:
         raise CannotDraw("The scene is empty: there is nothing that has lines")
     core, view = native.load(), camera.of_render(engine, depsgraph)
     drawn = partial(_lines, core, read, scene.seen(core, view))
-    outer, contours = (_bitmap(core, view, drawn(name, {})) for name in (OUTER, CONTOURS))
+    outer, contours = (_bitmap(core, view, drawn(name, {})) for name in outlines)
     return (
         {
             name: explained_lines.Definition(

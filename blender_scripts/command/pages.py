@@ -131,6 +131,10 @@ SECTIONS = {  # picture -> its scene or model, and how that is drawn
 _BRUSH = Stage(("--style", "brush", "--without", "colors"))
 GREASE_PENCIL = {"film": _BRUSH, "baked": _BRUSH}  # strokes of one scene as Fovea draws them, and as they are baked
 PENCIL_VIEW = 0.5, 0.45, 1.4  # as STAGE_VIEW
+PAGE_SIZE, PAGE_PLACE = "560x315", (0.55, 0.47)  # of what is shown of a page, and its place from the lower left
+VECTORS = {"one_bit": Stage(("--style", "watercolor", "--one-bit", "--dpi", "300"))}
+FRAME_SIZE, FRAMES = "180x200", (1, 5, 9, 13)
+FARM = {"frames": Stage(("--style", "brush"))}
 _LIGHT = {"pen.second_color": (0.5, 0.5, 0.5)}
 STROKES_SIZE = "280x210"
 STROKES_WORDS = (*MONKEY[1], "--style", "plain", "--lines", "smooth_contour,suggestive_contour,crease,border")
@@ -188,7 +192,7 @@ COMPARE = {"overlay": Pair(*BUNNY, (("contour", "suggestive_contour"), ("contour
 GROUPS = {
     "lines": LINES, "sections": SECTIONS, "way": WAY, "focus": FOCUS, "strokes": STROKES, "painted": PAINTED,
     "situations": SITUATIONS, "over": OVER, "transfers": TRANSFERS, "grease_pencil": GREASE_PENCIL,
-    "animation": ANIMATION, "compare": COMPARE,
+    "animation": ANIMATION, "compare": COMPARE, "vectors": VECTORS, "farm": FARM,
 }  # fmt: skip
 
 
@@ -199,4 +203,4 @@ def names():
 
 def file_of(name):
     """File of a GROUP/PICTURE, relative to addon/docs: PNG for gray pictures, JPEG for others."""
-    return f"{name}.png" if name.startswith(("animation/", "lines/", "strokes/", "transfers/")) else f"{name}.jpg"
+    return f"{name}.png" if name.startswith(("animation/", "lines/", "strokes/", "transfers/", "vectors/")) else f"{name}.jpg"

@@ -66,7 +66,7 @@ def saved_elsewhere(folder):
 
 
 def test_definitions_explain_a_drawing_of_a_cube(cube, tmp_path):
-    definitions, outer, contours = strengths.found(bpy.context, SIZE, CUBE)
+    definitions, outer, contours = strengths.found(bpy.context, SIZE, CUBE, "silhouette", "contour")
     judge = comparison.read(saved(tmp_path / "square.npz", square())).bitmap(SIZE)
     assert outer.measures(judge, 2.0)["f1"] == 1.0
     found = explained_lines.explain(definitions, outer, contours, [judge], 2.0)

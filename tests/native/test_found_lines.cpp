@@ -34,12 +34,14 @@ struct Told {
     View view = perspective({3, -8, 4}, {0, 1, 0});
     std::vector<float> importance{0.5f, 0.5f}, paint = std::vector<float>(24, 0.5f);
     std::vector<float> map{0.1f, 0.2f, 0.3f, 0.4f};
+    style::PaintSource source = style::PaintSource::attribute;
     Overrides overrides;
 
+    Told() { scene.lights.push_back({.id = 4}); }
     Surface& surface() { return const_cast<Surface&>(*scene.placements[0].surface); }
     std::uint64_t content() {
         overrides.importance = importance;
-        overrides.painted = {{"paint", {paint, paint}}};
+        overrides.painted = {{{source, "paint"}, {paint, paint}}};
         overrides.density_map = std::make_shared<ColorTexture>(map, 2, 2, 1, false);
         return content_of(scene, view, overrides);
     }
@@ -74,6 +76,8 @@ TEST(FoundLines, ContentIsTheSameForTheSameAndAnotherWithWhateverLinesDependOn) 
         {"usage", [](Told& t) { t.scene.placements[0].usage = usage_draw; }},
         {"group", [](Told& t) { t.scene.placements[0].group = 7; }},
         {"number", [](Told& t) { t.scene.placements.pop_back(); }},
+        {"light", [](Told& t) { t.scene.lights[0].direction.x += 0.1; }},
+        {"color of a light", [](Told& t) { t.scene.lights[0].color.y = 0.5f; }},
         {"section", [](Told& t) { t.scene.section = dvec4(0, 0, 1, -0.2); }},
         {"vertex", [](Told& t) { t.surface().positions[5].z += 0.1f; }},
         {"mark", [](Told& t) { t.surface().edge_marks[2] ^= mesh::mark_edge; }},
@@ -85,6 +89,7 @@ TEST(FoundLines, ContentIsTheSameForTheSameAndAnotherWithWhateverLinesDependOn) 
         {"clip", [](Told& t) { t.view.far_clip += 1; }},
         {"priority", [](Told& t) { t.importance[1] = 0.6f; }},
         {"paint", [](Told& t) { t.paint[20] = 0.6f; }},
+        {"source of paint", [](Told& t) { t.source = style::PaintSource::vertex_group; }},
         {"density map", [](Told& t) { t.map[3] = 0.6f; }},
         {"kinds", [](Told& t) { t.overrides.lines.kinds = {1, 1}; }},
         {"parameter", [](Told& t) { t.overrides.lines.parameters = {{0, 0, {0.5, 0.5}}}; }},

@@ -57,7 +57,9 @@ TEST(LinePlaces, APlaceIsFoundBetweenTheSamplesAroundItWhereverItsObjectIs) {
         ASSERT_TRUE(place);
         const auto &before = there.places.samples[place->before], &after = there.places.samples[place->after];
         EXPECT_NEAR(glm::mix(before.arc, after.arc, place->share), sample.arc, before.reach) << sample.number;
-        if (before.number != after.number) EXPECT_NEAR(glm::mix(before.arc, after.arc, place->share), sample.arc, 1e-6);
+        if (before.number != after.number) {
+            EXPECT_NEAR(glm::mix(before.arc, after.arc, place->share), sample.arc, 1e-6);
+        }
     }
 }
 
