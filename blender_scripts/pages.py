@@ -134,7 +134,9 @@ def page(name, path):
     asked = vectors.screen(**draw_options.screen_options(options))
     vectors.write(vectors.drawing(bpy.context, "png", asked), path)
     gray, (width, height) = sheet.gray(path), quantities.frame_size(pages.PAGE_SIZE)
-    top, left = (int(share * (whole - 2 * part)) for share, whole, part in zip(pages.PAGE_PLACE, gray.shape, (height, width)))
+    top, left = (
+        int(share * (whole - 2 * part)) for share, whole, part in zip(pages.PAGE_PLACE, gray.shape, (height, width))
+    )
     return halved(gray[top : top + 2 * height, left : left + 2 * width])
 
 

@@ -203,4 +203,8 @@ def names():
 
 def file_of(name):
     """File of a GROUP/PICTURE, relative to addon/docs: PNG for gray pictures, JPEG for others."""
-    return f"{name}.png" if name.startswith(("animation/", "lines/", "strokes/", "transfers/", "vectors/")) else f"{name}.jpg"
+    return (
+        f"{name}.png"
+        if name.startswith(("animation/", "lines/", "strokes/", "transfers/", "vectors/"))
+        else f"{name}.jpg"
+    )

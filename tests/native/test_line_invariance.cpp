@@ -114,6 +114,7 @@ ExactCurves lines_after(Index definition, const Change& change) {
     const LineDefinition& made = *line_definitions()[definition];
     Scene scene(changed(made, change));
     if (made.in_section || made.ends_at_lines) scene.section = moved_plane({0.0, 0.0, 1.0, -0.05}, change.motion);
+    scene.lights.push_back({.direction = glm::normalize(dmat3(change.motion) * dvec3(-0.4, -0.3, -0.8))});  // a sun
     const Tracer tracer(scene, view);
     LineSet set;
     set.kinds.push_back({definition, values_of(*line_definitions()[definition])});
