@@ -84,3 +84,16 @@ def in_blender_without_room(words):
 def _take_room():
     signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
     resource.setrlimit(resource.RLIMIT_FSIZE, (2048, 2048))
+
+
+def scene_from_above(size, pixels):
+    """An empty scene that is drawn from above by rays on the CPU, at a size in pixels with so many to a unit."""
+    made = empty_scene()
+    made.render.engine, made.render.resolution_x, made.render.resolution_y = "FOVEA", *size
+    made.render.dither_intensity = 0.0
+    made.view_settings.view_transform = "Standard"
+    camera = add_camera((0, 0, 10), (0, 0, 0))
+    camera.rotation_euler = (0, 0, 0)
+    camera.data.type, camera.data.ortho_scale = "ORTHO", size[0] / pixels
+    made.fovea.backend, made.fovea.visibility = "CPU", "EXACT"
+    return made

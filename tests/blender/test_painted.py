@@ -4,8 +4,8 @@
 import bpy
 import numpy as np
 import pytest
-from pictures import drawn, ink, layered
-from the_addon import add_camera, box_mesh, empty_scene, lines_of, new_mesh, new_object, own_style, use_style
+from pictures import drawn, ink, layered, scene_from_above
+from the_addon import box_mesh, lines_of, new_mesh, new_object, own_style, use_style
 
 SIZE = (320, 180)
 PIXELS = 40  # per unit
@@ -14,15 +14,7 @@ PIXELS = 40  # per unit
 @pytest.fixture
 def scene():
     """Seen from above, with lines that are thick in focus and gone out of it; no objects."""
-    made = empty_scene()
-    made.render.engine, made.render.resolution_x, made.render.resolution_y = "FOVEA", *SIZE
-    made.render.dither_intensity = 0.0
-    made.view_settings.view_transform = "Standard"
-    camera = add_camera((0, 0, 10), (0, 0, 0))
-    camera.rotation_euler = (0, 0, 0)
-    camera.data.type, camera.data.ortho_scale = "ORTHO", SIZE[0] / PIXELS
-    fovea = made.fovea
-    fovea.backend, fovea.visibility = "CPU", "EXACT"
+    made = scene_from_above(SIZE, PIXELS)
     lines = use_style(made, "plain").line_sets[-1]
     lines.pen.width, lines.away, lines.pen_away.width, lines.pen_away.opacity = 12, True, 12, 0
     return made

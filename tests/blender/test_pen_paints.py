@@ -4,8 +4,8 @@
 import bpy
 import numpy as np
 import pytest
-from pictures import drawn
-from the_addon import add_camera, empty_scene, lines_of, new_mesh, new_object, part, use_style
+from pictures import drawn, scene_from_above
+from the_addon import lines_of, new_mesh, new_object, part, use_style
 
 SIZE, PIXELS = (320, 180), 40  # pixels per unit
 WIDE = 24  # pixels, of the pen
@@ -16,14 +16,7 @@ vertex_groups, report = part("scene.vertex_groups"), part("render.report")
 @pytest.fixture
 def scene():
     """Seen from above, with a thick black pen; no objects."""
-    made = empty_scene()
-    made.render.engine, made.render.resolution_x, made.render.resolution_y = "FOVEA", *SIZE
-    made.render.dither_intensity = 0.0
-    made.view_settings.view_transform = "Standard"
-    camera = add_camera((0, 0, 10), (0, 0, 0))
-    camera.rotation_euler = (0, 0, 0)
-    camera.data.type, camera.data.ortho_scale = "ORTHO", SIZE[0] / PIXELS
-    made.fovea.backend, made.fovea.visibility = "CPU", "EXACT"
+    made = scene_from_above(SIZE, PIXELS)
     pen = use_style(made, "plain").line_sets[-1].pen
     pen.width, pen.width_unit, pen.cap = WIDE, "PIXELS", "BUTT"
     return made
