@@ -90,10 +90,10 @@ class Gathering:
 
     def remarks(self, snapshot, masks):
         """A list with a sentence for each Paint that some objects lack, whose lines a pen with it draws. `masks`: per
-        line set (n,) of the placements that it applies to, or None: all; of those beyond its end nothing is said."""
+        line set (n,) of the placements that it applies to, or None: all."""
         lacking = {}  # (Paint, member, whether the surface is bare) -> names of objects
         draws = snapshot.usage & DRAW != 0
-        for line_set, mask in zip(self._line_sets, masks, strict=False):
+        for line_set, mask in zip(self._line_sets, masks, strict=True):
             named = {(of_pen(pen, member), member) for pen in pens(line_set) for member in MEMBERS}
             named = {(paint, member) for paint, member in named if paint.name}
             if not named:

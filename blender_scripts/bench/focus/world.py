@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import bpy
 import numpy as np
 from bl_ext.user_default.fovea import native, pipeline, style
-from bl_ext.user_default.fovea.scene import camera, line_filters, scene
+from bl_ext.user_default.fovea.scene import camera, line_filters, painted, scene
 from bl_ext.user_default.fovea.style import style_data
 
 from .places import places_of
@@ -67,7 +67,7 @@ def measure(work, size, named="watercolor"):
     render.resolution_percentage = 100
     bpy.context.scene.fovea.backend = "CPU"
     style_data.use(bpy.context.scene, named)
-    of_render, of_sets = camera.of_render, line_filters.of
+    of_render, of_sets, remarks = camera.of_render, line_filters.of, painted.Gathering.remarks
 
     def of_render_kept(*arguments):
         views.append(of_render(*arguments))
@@ -75,11 +75,12 @@ def measure(work, size, named="watercolor"):
 
     pipeline.draw, camera.of_render = measured, of_render_kept
     # The styles drawn here have other line sets than the scene's, without filters.
-    line_filters.of = lambda *_: {"placements": []}
+    line_filters.of, painted.Gathering.remarks = lambda *_: {"placements": []}, lambda *_: []
     try:
         bpy.ops.render.render()
     finally:
-        pipeline.draw, camera.of_render, line_filters.of = draw, of_render, of_sets
+        pipeline.draw, camera.of_render = draw, of_render
+        line_filters.of, painted.Gathering.remarks = of_sets, remarks
     return outcome[0]
 
 
