@@ -32,14 +32,45 @@ class Window {
     vec2 sum() {
         const int rows = f_.elision_rows(band_, most_window_rows);
         vec2 sum(0.0f);
-        for (int j = 0; j < window_columns; ++j)
+        for (int j = 0; j < window_columns; ++j) {
+            const Column column = column_of(j, rows);
             for (int k = 0; k < rows; ++k)
-                sum += pixel(f_.elision_place(place_, band_, j, window_columns, k, rows, window_length_px));
+                if (column.own[k] != 0.0f) sum += pixel(column, k);
+        }
         return sum;
     }
 
    private:
     static constexpr std::size_t nowhere = ~std::size_t(0);
+
+    /// The pixels at the positions of a column of the window.
+    struct Column {
+        int x[most_window_rows], y[most_window_rows];
+        float u[most_window_rows], v[most_window_rows];  ///< along and across the line [px]
+        float own[most_window_rows];     ///< coverage by the line's own band; 0 outside of the picture, beyond its ends
+        float inside[most_window_rows];  ///< coverage by the interval between the run's ends
+    };
+
+    /// Computes all rows, also those that are not asked for, without branches: compilers make lanes of them.
+    Column column_of(int j, int rows) {
+        const vec2 size(buffer_.width, buffer_.height);
+        Column column;
+        for (int k = 0; k < most_window_rows; ++k) {
+            const vec2 at = f_.elision_place(place_, band_, j, window_columns, k, rows, window_length_px);
+            const int x = int(glm::clamp(at.x, 0.0f, size.x)), y = int(glm::clamp(at.y, 0.0f, size.y));
+            const vec2 from = vec2(float(x) + 0.5f, float(y) + 0.5f) - vec2(place_);
+            const float u = glm::dot(from, vec2(place_.z, place_.w)), v = glm::dot(from, vec2(-place_.w, place_.z));
+            const float own = f_.elision_own(band_, v), inside = f_.elision_inside(band_, u);
+            const bool counts = (at.x >= 0.0f) & (at.y >= 0.0f) & (at.x < size.x) & (at.y < size.y) & (inside != 0.0f);
+            column.x[k] = x;
+            column.y[k] = y;
+            column.u[k] = u;
+            column.v[k] = v;
+            column.own[k] = counts ? own : 0.0f;
+            column.inside[k] = inside;
+        }
+        return column;
+    }
 
     /// Index of the pixel at a position; `nowhere` outside of the picture.
     std::size_t find(vec2 at) const {
@@ -48,24 +79,19 @@ class Window {
         return std::size_t(int(at.y)) * buffer_.width + std::size_t(int(at.x));
     }
 
-    /// (lost, own) share of the pixel at a position.
-    vec2 pixel(vec2 at) {
-        const std::size_t here = find(at);
-        if (here == nowhere) return vec2(0.0f);
-        const vec2 from = vec2(float(int(at.x)) + 0.5f, float(int(at.y)) + 0.5f) - vec2(place_);
-        const vec2 left(-place_.w, place_.z);
-        const float u = glm::dot(from, vec2(place_.z, place_.w)), v = glm::dot(from, left);
-        const float own = f_.elision_own(band_, v), inside = f_.elision_inside(band_, u);
-        if (own == 0.0f || inside == 0.0f) return vec2(0.0f);  // as beyond the ends of short runs
+    /// (lost, own) share of a pixel of the line's own band.
+    vec2 pixel(const Column& column, int k) {
+        const std::size_t here = std::size_t(column.y[k]) * buffer_.width + std::size_t(column.x[k]);
+        const float own = column.own[k];
         float taken = 0.0f;
         const PriorityTexel& first = buffer_.first[here];
         if (first.rank > rank_) {
-            const vec2 away = v < 0.0f ? -left : left;
-            taken = lost(first, own, u, away);
+            const vec2 left(-place_.w, place_.z), away = column.v[k] < 0.0f ? -left : left;
+            taken = lost(first, own, column.u[k], away);
             if (first.crossed && buffer_.second[here].rank > rank_)
-                taken = std::max(taken, lost(buffer_.second[here], own, u, away));
+                taken = std::max(taken, lost(buffer_.second[here], own, column.u[k], away));
         }
-        return inside * vec2(taken, own);
+        return column.inside[k] * vec2(taken, own);
     }
 
     /// The part of a pixel that is lost to another line.

@@ -116,6 +116,20 @@ void check_weights(const style::Elision& w, bool painted) {
           "priority: at least one weight must be more than 0");
 }
 
+/// What decides the rank of the hidden, or of the visible, runs of a path.
+struct Ranked {
+    bool visible;
+    float priority;
+    std::uint64_t id;  // of the path
+    Index slot;
+
+    bool operator<(const Ranked& other) const {
+        if (visible != other.visible) return visible < other.visible;
+        if (priority != other.priority) return priority < other.priority;
+        return id != other.id ? id > other.id : slot > other.slot;
+    }
+};
+
 }  // namespace
 
 double scene_radius(const Scene& scene) {
@@ -152,20 +166,16 @@ Array<Index> rank_runs(const ClippedPaths& clipped, const Runs& runs, In<float> 
     std::vector<std::uint8_t> used(2 * std::size_t(paths), 0);
     const auto slot = [&](std::size_t r) { return 2 * clipped.path[runs.piece[r]] + (runs.invisibility[r] == 0); };
     for (std::size_t r = 0; r < runs.size(); ++r) used[slot(r)] = 1;
-    std::vector<Index> order;
-    for (Index s = 0; s < used.size(); ++s)
-        if (used[s]) order.push_back(s);
-    const auto value = [&](Index p) {
-        return std::isnan(priority[p]) ? -std::numeric_limits<float>::infinity() : priority[p];
-    };
-    parallel_sort(order.begin(), order.end(), [&](Index a, Index b) {
-        const Index p = a / 2, q = b / 2;
-        if ((a & 1) != (b & 1)) return (a & 1) < (b & 1);
-        if (value(p) != value(q)) return value(p) < value(q);
-        return id[p] != id[q] ? id[p] > id[q] : p > q;
-    });
+    std::vector<Ranked> order;
+    for (Index s = 0; s < used.size(); ++s) {
+        if (!used[s]) continue;
+        const float value = priority[s / 2];
+        order.push_back(
+            {bool(s & 1), std::isnan(value) ? -std::numeric_limits<float>::infinity() : value, id[s / 2], s});
+    }
+    parallel_sort(order.begin(), order.end());
     std::vector<Index> rank(used.size(), 0);
-    for (Index i = 0; i < order.size(); ++i) rank[order[i]] = i + 1;
+    for (Index i = 0; i < order.size(); ++i) rank[order[i].slot] = i + 1;
     Array<Index> ranks(runs.size());
     for (std::size_t r = 0; r < runs.size(); ++r) ranks[r] = rank[slot(r)];
     return ranks;

@@ -24,12 +24,17 @@ bool cross(const PriorityTexel& a, const PriorityTexel& b) {
     return formulas::Band{}.bands_cross(vec2(a.away_x, a.away_y), vec2(b.away_x, b.away_y));
 }
 
+/// Whether no band of this rank changes the entry.
+bool is_settled(const PriorityTexel& first, std::uint32_t rank) {
+    return first.rank != 0 && (first.crossed || first.rank == rank);
+}
+
 /// Bands are drawn by descending rank, so the first entry stays.
 void put(PriorityBuffer& buffer, std::size_t pixel, const PriorityTexel& texel) {
     PriorityTexel& first = buffer.first[pixel];
     if (first.rank == 0) {
         first = texel;
-    } else if (!first.crossed && first.rank != texel.rank && cross(first, texel)) {
+    } else if (!is_settled(first, texel.rank) && cross(first, texel)) {
         first.crossed = 1;
         buffer.second[pixel] = texel;
     }
@@ -48,6 +53,8 @@ void draw_triangle(const Bands& bands, Index t, const PixelBox& tile, PriorityBu
         int begin = box.x0, end = box.x1;
         shape.span(row, begin, end);
         for (int column = begin; column < end; ++column) {
+            const std::size_t pixel = std::size_t(row) * buffer.width + column;
+            if (is_settled(buffer.first[pixel], texel.rank)) continue;
             const vec3 place = across.at(column, row);
             texel.coverage = std::uint8_t(formula.band_coverage(place) * 255.0f + 0.5f);
             if (texel.coverage == 0) continue;
@@ -55,7 +62,7 @@ void draw_triangle(const Bands& bands, Index t, const PixelBox& tile, PriorityBu
             texel.right = formula.band_ends_right(place);
             texel.away_x = int(std::lround(owner.x * away));
             texel.away_y = int(std::lround(owner.y * away));
-            put(buffer, std::size_t(row) * buffer.width + column, texel);
+            put(buffer, pixel, texel);
         }
     }
 }

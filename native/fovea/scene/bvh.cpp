@@ -84,7 +84,9 @@ RTCRayHit ray_through_boxes(const dvec3& from, const dvec3& along, double near_t
 }
 
 float end_of_ray(double t, double longest) {
-    return std::nextafter(float(t * longest), std::numeric_limits<float>::infinity());
+    constexpr float least = std::numeric_limits<float>::min();
+    const float end = float(t * longest);
+    return end + std::max(std::abs(end) * std::numeric_limits<float>::epsilon(), least);
 }
 
 std::shared_ptr<const SurfaceBvh> bvh_of(const Surface& surface) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <optional>
 #include <vector>
 
 #include <fovea/raster/tiles.h>
@@ -40,19 +41,17 @@ class Fragments {
     void of_triangle(glm::uvec3 c, const PixelBox& within, const Each& each) const {
         const FixedTriangle shape(strokes_.px[c[0]], strokes_.px[c[1]], strokes_.px[c[2]]);
         const PixelBox box = intersect(shape.box(), within);
+        if (box.empty()) return;
         const OverTriangle<4> values(shape, corner(c[0]), corner(c[1]), corner(c[2]));
-        const OverTriangle<3> mixes(shape, dvec3(strokes_.mix[c[0]]), dvec3(strokes_.mix[c[1]]),
-                                    dvec3(strokes_.mix[c[2]]));
         const float start = strokes_.arc[c[0]].z, end = strokes_.arc[c[0]].w;
-        const OverTriangle<2> anchors(shape, dvec2(strokes_.anchor[c[0]]), dvec2(strokes_.anchor[c[1]]),
-                                      dvec2(strokes_.anchor[c[2]]));
         const Pen& pen = pens_[strokes_.pen[c[0]]];
         const Index away = pen.away;
         const Pen& other = away == none ? pen : pens_[away];
-        const bool colored = !strokes_.color.empty();
-        const OverTriangle<3> colors(shape, color(c[0]), color(c[1]), color(c[2]));
         const bool fixed = pen.look.texture_anchor == Anchor::path || other.look.texture_anchor == Anchor::path;
         const bool tinted = strokes_.mix[c[0]].z + strokes_.mix[c[1]].z + strokes_.mix[c[2]].z > 0.0f;
+        const auto mixes = over(away != none || tinted, shape, strokes_.mix, c);
+        const auto colors = over(!strokes_.color.empty(), shape, strokes_.color, c);
+        const auto anchors = over(fixed, shape, strokes_.anchor, c);
         for (int y = box.y0; y < box.y1; ++y) {
             int x0 = box.x0, x1 = box.x1;
             shape.span(y, x0, x1);
@@ -60,17 +59,17 @@ class Fragments {
                 const vec4 f = values.at(x, y);
                 float alpha = coverage(f[0], f[1], start, end, f[2], pen.look.cap);
                 if (alpha <= 0.0f) continue;
-                const vec3 mix = away == none && !tinted ? vec3(0.0f) : mixes.at(x, y);
+                const vec3 mix = mixes ? mixes->at(x, y) : vec3(0.0f);
                 vec3 color(pen.look.color);
-                if (colored)
-                    color = colors.at(x, y);
+                if (colors)
+                    color = colors->at(x, y);
                 else if (away != none)
                     color = glm::mix(color, vec3(other.look.color), mix.x);
                 if (tinted) {
                     const vec3 second(pen.look.second_color), second_away(other.look.second_color);
                     color = glm::mix(color, glm::mix(second, second_away, mix.x), mix.z);
                 }
-                const vec2 anchor = fixed ? anchors.at(x, y) : vec2(0.0f);
+                const vec2 anchor = anchors ? anchors->at(x, y) : vec2(0.0f);
                 const float ink = ink_of(strokes_.pen[c[0]], f, anchor);
                 alpha *= away == none ? ink : glm::mix(ink, ink_of(away, f, anchor), mix.y);
                 if (spine_) alpha *= spine_->visibility(strokes_.piece[c[0]], std::clamp(f[0], start, end));
@@ -91,7 +90,14 @@ class Fragments {
         return {strokes_.arc[i].x, strokes_.arc[i].y, strokes_.half_width[i], strokes_.opacity[i]};
     }
 
-    dvec3 color(Index i) const { return strokes_.color.empty() ? dvec3(0.0) : dvec3(strokes_.color[i]); }
+    /// A column of the vertices over a triangle, where it is wanted.
+    template <int N>
+    static std::optional<OverTriangle<N>> over(bool wanted, const FixedTriangle& shape,
+                                               const Array<glm::vec<N, float>>& column, glm::uvec3 c) {
+        using Value = glm::vec<N, double>;
+        if (!wanted) return {};
+        return OverTriangle<N>(shape, Value(column[c[0]]), Value(column[c[1]]), Value(column[c[2]]));
+    }
 
     /// Pixels of the depth buffer's core, whose bounds lie between pixels, or beyond the image.
     PixelBox core() const {
