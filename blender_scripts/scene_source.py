@@ -4,9 +4,11 @@
 from pathlib import Path
 
 import blend_file
+import bmesh
 import bpy
 import ending
 import framing
+import numpy as np
 import scenes
 from command import model_files
 from command.target import SHARED
@@ -34,13 +36,40 @@ def import_model(path):
         raise ValueError(f"{path.name}: this Blender imports no {suffix} files")
     refused = f"{path.name}: Blender cannot import this file"
     try:
-        done = importer(filepath=str(path)) == {"FINISHED"}
+        done = importer(filepath=str(path), **model_files.OPTIONS.get(suffix, {})) == {"FINISHED"}
     except RuntimeError as error:  # with a traceback where the importer is written in Python
         raise ValueError(f"{refused}: {ending.sentence(str(error)).rpartition('; ')[2]}") from error
     if not done:
         raise ValueError(refused)
+    if suffix in model_files.APART:
+        for mesh in bpy.data.meshes:
+            weld(mesh)
     if not len(framing.visible_points(bpy.context.evaluated_depsgraph_get())):
         raise ValueError(f"{path.name}: there is nothing in this file to draw")
+
+
+def weld(mesh):
+    """Merges the vertices of a mesh that are in the same place: where faces share none, their sides would be borders.
+    Normals of corners stay."""
+    farthest = np.abs(_read(mesh.vertices, "co")).max(initial=0.0)
+    normals = mesh.attributes.new("normals", "FLOAT_VECTOR", "CORNER")
+    normals.data.foreach_set("vector", _read(mesh.corner_normals, "vector"))
+    name, welded = normals.name, bmesh.new()
+    welded.from_mesh(mesh)
+    # Blender 4.3 misses neighbors nearer than the precision of their coordinates.
+    bmesh.ops.remove_doubles(welded, verts=welded.verts, dist=1e-6 * farthest)
+    welded.to_mesh(mesh)
+    welded.free()
+    normals = _read(mesh.attributes[name].data, "vector")
+    mesh.attributes.remove(mesh.attributes[name])
+    mesh.normals_split_custom_set(normals.reshape(-1, 3))
+
+
+def _read(elements, name):
+    """(3 n,) of an attribute of a mesh's elements."""
+    values = np.empty(3 * len(elements), np.float32)
+    elements.foreach_get(name, values)
+    return values
 
 
 def operator(name):

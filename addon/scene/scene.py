@@ -325,6 +325,7 @@ def seen(core, view):
 
 
 def has_anything(scene):
-    """Whether any object of the scene, hidden or not, is of a type that can have lines."""
-    kinds = {"MESH", "CURVE", "SURFACE", "FONT", "META", "CURVES", "POINTCLOUD"}
+    """Whether any object of the scene, hidden or not, is of a type that can have lines, or that Blender draws over the
+    picture."""
+    kinds = {"MESH", "CURVE", "SURFACE", "FONT", "META", "CURVES", "POINTCLOUD", "GREASEPENCIL"}
     return any(obj.type in kinds or obj.instance_type != "NONE" for obj in scene.objects)

@@ -52,6 +52,9 @@ def style_of(scene, layer):
     for line_set in settings.linesets:
         if not line_set.show_render:
             continue
+        if line_set.linestyle is None:  # it was removed from the file
+            told.append(f"'{line_set.name}': it has no line style")
+            continue
         told += [f"'{line_set.name}': {what}" for what in _unmatched(line_set)]
         if kinds := _kinds(line_set, settings):
             pen, left = line_style_modifiers.applied(

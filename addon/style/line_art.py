@@ -20,11 +20,12 @@ KINDS = {
     "intersection": ("intersection",),
     "material": ("material_boundary",),
     "edge_mark": ("edge_mark",),
+    "light_contour": ("light_contour",),
+    "shadow": ("cast_shadow",),
 }
+BY_LIGHT = {"light_contour", "shadow"}  # edge types that Line Art draws by one light, if the modifier names it
 # Setting of a modifier that is not converted -> what it says.
 UNMATCHED = {
-    "use_light_contour": "contours as light sees them",
-    "use_shadow": "cast shadows",
     "use_face_mark": "face marks",
     "use_material_mask": "material masks",
     "use_intersection_mask": "intersection masks",
@@ -61,7 +62,7 @@ def style_of(scene, depsgraph):
     told, sets = [], []
     for obj, modifier in modifiers_of(scene):
         name = f"{obj.name}: {modifier.name}"
-        told += [f"'{name}': {what}" for what in _unmatched(obj, modifier)]
+        told += [f"'{name}': {what}" for what in _unmatched(scene, obj, modifier)]
         source = _source(modifier)
         if source is None:
             told.append(f"'{name}': it has no source")
@@ -83,13 +84,18 @@ def _source(modifier):
 
 def _kinds(modifier):
     """{definition: parameters} of a modifier."""
-    names = dict.fromkeys(name for word in KINDS if getattr(modifier, f"use_{word}") for name in KINDS[word])
+    names = dict.fromkeys(name for word in KINDS if _draws(modifier, word) for name in KINDS[word])
     if "contour" in names and modifier.silhouette_filtering != "NONE":
         names = {"silhouette" if name == "contour" else name: None for name in names}
     # Its angle is between faces, not normals.
     crease = {"angle": 180 - math.degrees(modifier.crease_threshold)}
     values = {"crease": crease, "border": {"loose": float(modifier.use_loose)}}
     return {name: values.get(name, {}) for name in names}
+
+
+def _draws(modifier, word):
+    """Whether a modifier draws an edge type."""
+    return getattr(modifier, f"use_{word}") and (word not in BY_LIGHT or modifier.light_contour_object is not None)
 
 
 def _pen(modifier, width):
@@ -155,9 +161,12 @@ def _width(modifier, scene, depsgraph):
     return min(max(width, WIDTHS[0]), WIDTHS[1])
 
 
-def _unmatched(obj, modifier):
+def _unmatched(scene, obj, modifier):
     """Yields phrases on settings of a modifier, and of its object's others, that are not converted."""
     yield from (what for name, what in UNMATCHED.items() if _is_set(getattr(modifier, name, False)))
+    light, lights = modifier.light_contour_object, {other for other in scene.objects if other.type == "LIGHT"}
+    if lights != {light} and any(_draws(modifier, word) for word in BY_LIGHT):
+        yield f"lines by '{light.name}' alone: they are by the lights of the scene"
     if modifier.use_invert_silhouette and modifier.silhouette_filtering != "NONE":
         yield "lines inside the silhouette alone"
     known = [other.name for other in _of_all_strokes(obj)]

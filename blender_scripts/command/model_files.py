@@ -18,6 +18,9 @@ IMPORTERS = {
     ".abc": ("wm.alembic_import",),
     ".svg": ("import_curve.svg",),
 }
+# Suffix -> options of these operators. glTF has a vertex once for each normal and each place in an image.
+OPTIONS = dict.fromkeys((".gltf", ".glb"), {"merge_vertices": True})
+APART = {".gltf", ".glb"}  # of which vertices are apart still, between flat faces and along hard edges
 
 
 def is_model(spec):

@@ -16,8 +16,9 @@ def build(argument, shared):
     plate = shapes.box("Plate", (4.2, 0.16, 1.5), rounding=0.05)
     plate.materials.append(stage.material("Enamel", (0.85, 0.85, 0.8)))
     stage.link("Plate", plate).location = (0, 0.1, 0)
-    text("Bevelled", "FOVEA", 0.9, (0, 0.03, 0.62), paint, extrude=0.08, bevel=0.025)
-    text("Flat", "lines · light · letters", 0.3, (0, 0.018, 0.22), paint)
+    bevelled = text("Bevelled", "FOVEA", 0.9, (0, 0.03, 0.65), paint, extrude=0.08, bevel=0.025)
+    bevelled.data.space_character = 1.1  # the bevels of its letters would overlap
+    text("Flat", "lines · light · letters", 0.3, (0, 0.018, 0.29), paint)
     text("Small", "A line is a dot that went for a walk.", 0.11, (0, 0.018, 0.09), paint)
     bow = bpy.data.curves.new("Bow", "CURVE")
     bow.dimensions = "3D"
@@ -32,7 +33,7 @@ def build(argument, shared):
     bent.data.align_x = "LEFT"
     floor = shapes.sheet("Floor", [[(-4, -3, 0), (-4, 3, 0)], [(4, -3, 0), (4, 3, 0)]])
     stage.link("Floor", floor)
-    stage.camera((1.8, -8.2, 2.4), (0, 0, 1.35))
+    stage.camera((2.0, -9.3, 2.7), (0, 0, 1.5))
     stage.sun(-60, 50)
 
 

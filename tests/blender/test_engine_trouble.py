@@ -95,6 +95,14 @@ def test_a_scene_whose_objects_are_all_hidden_is_blank_paper(scene, tmp_path):
     assert (drawn(scene, tmp_path / "blank.png") == 1).all()
 
 
+def test_a_scene_of_grease_pencil_alone_is_paper_for_blender_to_draw_on(scene, tmp_path):
+    bpy.data.objects.remove(bpy.data.objects["Box"])
+    with pytest.raises(RuntimeError, match="The scene is empty"):
+        drawn(scene, tmp_path / "none.png")
+    bpy.ops.object.grease_pencil_add(type="EMPTY")
+    assert (drawn(scene, tmp_path / "blank.png") == 1).all()
+
+
 def test_nan_vertices_are_left_out(scene, tmp_path):
     bpy.data.objects["Box"].data.vertices[0].co.x = math.nan
     picture = drawn(scene, tmp_path / "broken.png")

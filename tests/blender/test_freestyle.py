@@ -91,6 +91,14 @@ def test_what_is_not_taken_over_is_told(scene):
     assert "'Set': lines that are not of its edge types" in told
 
 
+def test_a_line_set_whose_line_style_is_gone_is_told_and_the_others_are_taken_over(scene):
+    add_set(scene)
+    bpy.data.linestyles.remove(add_set(scene, "Bare").linestyle)
+    chosen, told = matched(scene)
+    assert [line_set.name for line_set in chosen.line_sets] == ["Set"]
+    assert told == ["'Bare': it has no line style"]
+
+
 def with_modifier(scene, words, kind, **settings):
     """The modifier of a line style that is 4 pixels thick."""
     scene.render.line_thickness_mode = "ABSOLUTE"

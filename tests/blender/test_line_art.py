@@ -56,6 +56,19 @@ def test_edge_types_and_the_crease_angle(scene):
     assert matched(scene)[0].line_sets[1].kinds["border"] == {"loose": 1.0}
 
 
+def test_lines_by_a_light_are_those_by_the_lights_of_the_scene(scene):
+    for obj in [obj for obj in scene.objects if obj.type == "LIGHT"]:
+        bpy.data.objects.remove(obj)
+    add_modifier(scene, use_light_contour=True, use_shadow=True)
+    assert not {"light_contour", "cast_shadow"} & set(matched(scene)[0].line_sets[0].kinds), "no light is named"
+    lamp = new_object(bpy.data.lights.new("Lamp", "POINT"), "Lamp")
+    modifier = add_modifier(scene, use_light_contour=True, use_shadow=True, light_contour_object=lamp)
+    chosen, told = matched(scene)
+    assert {"light_contour", "cast_shadow"} <= set(chosen.line_sets[1].kinds) and told == []
+    modifier.light_contour_object = bpy.data.objects["Box"]
+    assert any("lines by 'Box' alone: they are by the lights of the scene" in words for words in matched(scene)[1])
+
+
 def test_the_silhouette_alone(scene):
     add_modifier(scene, silhouette_filtering="INDIVIDUAL")
     kinds = matched(scene)[0].line_sets[0].kinds
@@ -105,10 +118,10 @@ def test_the_width_is_that_of_its_strokes_in_the_picture(scene):
 
 
 def test_what_is_not_taken_over_is_told(scene):
-    modifier = add_modifier(scene, use_light_contour=True)
+    modifier = add_modifier(scene, use_face_mark=True)
     modifier.id_data.modifiers.new("Shaky", "GREASE_PENCIL_NOISE")
     told = matched(scene)[1]
-    assert any("contours as light sees them" in words for words in told)
+    assert any("face marks" in words for words in told)
     assert any("the modifiers Shaky" in words for words in told)
 
 

@@ -39,12 +39,18 @@ def bounds():
     return np.array([points.min(axis=0), points.max(axis=0)])
 
 
-def exported(path):
-    """Writes a brick that no axis is like another of, and returns its bounds; skips without an exporter."""
-    names, options = EXPORTERS[path.suffix.lower()]
+def exporter_of(suffix):
+    """(operator that writes such files, its options); skips where this Blender has none."""
+    names, options = EXPORTERS[suffix]
     exporter = next(filter(None, map(scene_source.operator, names)), None)
     if not exporter:
-        pytest.skip(f"this Blender exports no {path.suffix} files")
+        pytest.skip(f"this Blender exports no {suffix} files")
+    return exporter, options
+
+
+def exported(path):
+    """Writes a brick that no axis is like another of, and returns its bounds."""
+    exporter, options = exporter_of(path.suffix.lower())
     bpy.ops.wm.read_homefile(use_empty=True)
     brick = new_object(box_mesh(), "Brick")
     brick.location, brick.scale = (1, 2, 3), (0.5, 1.5, 0.25)
@@ -60,6 +66,34 @@ def test_a_model_stands_where_its_scene_had_it(tmp_path, suffix):
     made = exported(path)
     scene_source.open_scene(str(path))
     assert np.allclose(bounds(), made, atol=1e-4)
+
+
+def normals(mesh):
+    """Of the corners of a mesh of triangles, each beside the middle of its face: sorted rows, as files reorder them."""
+    middles = np.repeat([polygon.center for polygon in mesh.polygons], 3, axis=0)
+    corners = [mesh.vertices[loop.vertex_index].co for loop in mesh.loops]
+    rows = np.hstack([middles, corners, [normal.vector for normal in mesh.corner_normals]])
+    return rows[np.lexsort(rows[:, :6].round(3).T)]
+
+
+@pytest.mark.parametrize("suffix", [".gltf", ".glb"])
+def test_faces_that_a_file_keeps_apart_share_their_vertices_and_keep_their_normals(tmp_path, suffix):
+    """glTF has a vertex once for each normal, and for each side of a UV seam."""
+    exporter, options = exporter_of(suffix)
+    bpy.ops.wm.read_homefile(use_empty=True)
+    bpy.ops.mesh.primitive_cylinder_add(vertices=12, end_fill_type="TRIFAN")
+    made = bpy.context.object
+    bpy.ops.object.shade_smooth_by_angle()
+    made.modifiers.new("Triangles", "TRIANGULATE")
+    flat = new_object(box_mesh(), "Flat")
+    flat.location.x = 5
+    depsgraph = bpy.context.evaluated_depsgraph_get()
+    wanted = normals(made.evaluated_get(depsgraph).data)
+    path = tmp_path / f"apart{suffix}"
+    assert exporter(filepath=str(path), export_apply=True, **options) == {"FINISHED"}
+    scene_source.open_scene(str(path))
+    meshes = {len(mesh.vertices): mesh for mesh in bpy.data.meshes}
+    assert set(meshes) == {26, 8} and np.allclose(normals(meshes[26]), wanted, atol=2e-3)
 
 
 @pytest.mark.parametrize("name", ["brick.glb", "BRICK.STL"])
