@@ -179,6 +179,18 @@ def test_every_source_is_pinned_and_what_modules_consist_of_has_its_license():
     assert {source.name for source in table if source.licenses} == built_in | {"zig_lib"}
 
 
+@pytest.mark.parametrize("name, part", [("linux-x64", "LICENSES"), ("windows-x64", "COPYING"), ("macos-arm64", None)])
+def test_a_wheel_has_the_license_of_the_c_library_of_its_system(name, part, tmp_path):
+    for source in sources.declared():
+        for each in (*map(source.place, source.licenses), "libc/glibc/LICENSES", "libc/mingw/COPYING"):
+            file = tmp_path / source.name / each
+            file.parent.mkdir(parents=True, exist_ok=True)
+            file.write_text(f"license of {each}")
+    found = wheel.licenses(tmp_path, PROJECT / "LICENSE", toolchain.PLATFORMS[name])
+    assert [each for each in found if each.startswith(name)] == ([f"{name}-{part}"] if part else [])
+    assert {"zig_lib-LICENSE.TXT", "embree-LICENSE.txt"} < set(found)
+
+
 def test_an_archive_with_another_checksum_is_not_taken(tmp_path, monkeypatch):
     source = sources.Source("zlib", "1", "0" * 64, file="main/z/zlib.tar.gz", suite="trixie")
     monkeypatch.setattr(sources, "_from_debian", lambda _source, folder: (folder / "zlib.tar.gz").write_text("other"))

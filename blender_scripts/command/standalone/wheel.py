@@ -47,13 +47,17 @@ def write(folder, module, platform, python, version, licenses):
     return file
 
 
-def licenses(folder, own):
-    """Name -> text, of all that is in a module. folder: that of the sources; own: the file of the project's license."""
+def licenses(folder, own, platform):
+    """Name -> text, of all that is in a module for a platform. folder: that of the sources; own: the file of the
+    project's license."""
     found = {"LICENSE": own.read_bytes()}
     for source in sources.declared():
         for name in source.licenses:
             file = folder / source.name / source.place(name)
             found[f"{source.name}-{file.name}"] = file.read_bytes()
+    if platform.license:
+        file = folder / "zig_lib" / platform.license
+        found[f"{platform.name}-{file.name}"] = file.read_bytes()
     told = {source.name: source.version for source in sources.declared() if source.licenses}
     found["components.json"] = (json.dumps(told, indent=1) + "\n").encode()
     return found
