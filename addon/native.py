@@ -12,10 +12,11 @@ from contextlib import contextmanager
 from pathlib import Path
 
 UNSET = 0xFFFFFFFF  # index value for "none"
-WHEEL = "fovea_native"  # the package of wheels
+WHEEL = "fovea_native"  # what names of wheels and of their packages begin with; that of the build follows
 PYTHONS = ("3.11", "3.13")  # for which there are wheels
 SYSTEMS = {"linux": "linux", "win32": "windows", "darwin": "macos"}
 MACHINES = {"x86_64": "x64", "amd64": "x64", "arm64": "arm64", "aarch64": "arm64"}
+UPDATED = "Fovea has been updated while Blender was running; start Blender again"
 BUILT_FOR = ("linux_x64", "windows_x64", "macos_arm64")  # as zips name them
 
 
@@ -49,7 +50,7 @@ def load():
     # `notes` is of an older version.
     file = _file_of(module)
     if vars(module).get("notes", {"loaded_from": None}).setdefault("loaded_from", file) != file:
-        raise Unavailable("Fovea has been updated while Blender was running; start Blender again")
+        raise Unavailable(UPDATED)
     return module
 
 
@@ -58,9 +59,20 @@ def _import():
     try:
         return importlib.import_module("._native", __package__)
     except ModuleNotFoundError:
-        if importlib.util.find_spec(WHEEL) is None:
+        packages = [wheel.name.partition("-")[0] for wheel in _wheels()]
+        package = next(filter(importlib.util.find_spec, packages), None)
+        if package is None:
             raise
-        return importlib.import_module(f"{WHEEL}._native")
+    wanted = f"{package}._native"
+    if any(name.startswith(f"{WHEEL}_") and name.endswith("._native") and name != wanted for name in sys.modules):
+        raise Unavailable(UPDATED)
+    return importlib.import_module(wanted)
+
+
+def _wheels():
+    """The extension's wheels for this Python, as files; Blender unpacks them into packages of their names."""
+    python = f"cp{sys.version_info.major}{sys.version_info.minor}"
+    return sorted((Path(__file__).parent / "wheels").glob(f"{WHEEL}_*-{python}-*.whl"))
 
 
 def place():
@@ -94,12 +106,15 @@ def problem():
 def _explain(error):
     here = Path(__file__).parent
     python = f"Python {sys.version_info.major}.{sys.version_info.minor}"
-    wheel = importlib.util.find_spec(WHEEL)
-    folders = [here, *(Path(place) for place in wheel.submodule_search_locations or ())] if wheel else [here]
-    patterns = ("_native*.so", "_native*.pyd")
-    found = sorted(path.name for folder in folders for pattern in patterns for path in folder.glob(pattern))
+    patterns = ("_native*.so", "_native*.pyd", f"wheels/{WHEEL}_*.whl")
+    found = sorted(path.name for pattern in patterns for path in here.glob(pattern))
     if not found:
         return f"Fovea's native module is missing from the extension; {_zip_that_fits()}"
+    if isinstance(error, ModuleNotFoundError) and _wheels():
+        return (
+            f"Blender has not unpacked Fovea's native module, {_wheels()[0].name}: uninstall Fovea in Preferences > "
+            "Get Extensions, start Blender again and install it"
+        )
     if isinstance(error, ModuleNotFoundError):
         return f"Fovea has no native module for {python}, only {', '.join(found)}; {_zip_that_fits()}"
     return f"Fovea's native module does not load in this Blender ({python}): {error}"

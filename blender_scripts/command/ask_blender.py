@@ -1,13 +1,18 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Runs inside a Blender for own_blender.sh, with the folder of self-contained modules as its only word. Prints lines
 'fovea WORD VALUE': python (version), program, include (folder of Python.h), platform, and of a module that is made for
-them `tried`, then `module` if it loads, or `refused` with the reason. A Blender that ends in between has tried it."""
+them `tried`, then `module` if it loads and is of this checkout's sources, or `refused` with the reason. A
+Blender that ends in between has tried it."""
 
 import importlib.util
 import platform
 import sys
 import sysconfig
 from pathlib import Path
+
+sys.path.append(str(Path(__file__).parent))
+
+import module_sources  # noqa: E402
 
 SYSTEMS = {"linux": "linux", "darwin": "macos", "win32": "windows"}
 MACHINES = {"x86_64": "x64", "amd64": "x64", "arm64": "arm64", "aarch64": "arm64"}
@@ -31,6 +36,9 @@ def modules(folder):
 
 def try_module(file):
     tell("tried", file)
+    if not module_sources.are_these(file):
+        tell("refused", "it was made of other sources than these")
+        return
     try:
         spec = importlib.util.spec_from_file_location("_native", file)
         spec.loader.exec_module(importlib.util.module_from_spec(spec))

@@ -4,8 +4,8 @@
 
 modules_folder=$cache/standalone/modules # PLATFORM-PYTHON/_native.*, as `fovea standalone` leaves them
 
-# use_own_blender PATH: sets target_name, blender, python, python_include and module (a self-contained module that loads
-# there, or "": one is built), or `reason` and returns 1.
+# use_own_blender PATH: sets target_name, blender, python, python_include and module (a self-contained module of this
+# checkout's sources that loads there, or "": one is built), or `reason` and returns 1.
 use_own_blender() {
     blender=$1
     version= python_version= module=
@@ -58,7 +58,7 @@ why_no_module() {
     tried=$(told tried)
     refused=$(told refused)
     if [ -n "$tried" ]; then
-        printf '%s' "$tried does not load in $blender (Blender $version, Python $python_version: ${refused:-it ends Blender})"
+        printf '%s' "$tried cannot be used in $blender (Blender $version, Python $python_version: ${refused:-it ends Blender})"
     else
         printf '%s' "there is no self-contained module for $blender (Blender $version, Python $python_version) in $modules_folder/$(told platform)"
     fi

@@ -47,9 +47,10 @@ def stage(folder, cache, wanted):
     text = manifest.read_text(encoding="utf-8")
     version = tomllib.loads(text)["version"]
     (folder / "wheels").mkdir()
-    licenses = wheel.licenses(sources.unpacked(cache), PROJECT / "LICENSE")
+    unpacked = sources.unpacked(cache)
     names, platforms = [], []
     for platform, python, module in built(cache, wanted):
+        licenses = wheel.licenses(unpacked, PROJECT / "LICENSE", platform)
         names.append(wheel.write(folder / "wheels", module, platform, python, version, licenses).name)
         platforms += [platform.name] if platform.name not in platforms else []
     manifest.write_text(with_wheels(text, platforms, names), encoding="utf-8")

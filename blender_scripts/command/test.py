@@ -15,7 +15,7 @@ from collections import Counter
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
-from . import build, package
+from . import build, module_sources, package
 from .target import PROJECT, StepFailed, say, tail
 
 TESTS = PROJECT / "tests"
@@ -169,8 +169,8 @@ def _standalone(target, report, words):
     """Blender's tests with the self-contained module for its Python, installed in a home of its own."""
     name = f"linux-x64-cp{sys.version_info.major}{sys.version_info.minor}"
     found = sorted((target.cache / "standalone" / "modules" / name).glob("_native.*"))
-    if not found:
-        raise StepFailed(f"no {name} is there: blender_scripts/fovea standalone {name} builds it")
+    if not found or not module_sources.are_these(found[0]):
+        raise StepFailed(f"no {name} of these sources is there: blender_scripts/fovea standalone {name} builds it")
     own = dataclasses.replace(target, work=target.work / "standalone", module=str(found[0]))
     own.home.mkdir(parents=True, exist_ok=True)
     ((_, command, _, environment),) = _blender(own, report, words)

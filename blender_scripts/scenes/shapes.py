@@ -170,5 +170,7 @@ def combine(operation: str, first, *others):
         modifier.operation, modifier.object, modifier.solver = operation, tool, "EXACT"
     result = bpy.data.meshes.new_from_object(made.evaluated_get(bpy.context.evaluated_depsgraph_get()))
     result.name = first.name
+    if not any(result.materials):
+        result.materials.clear()  # since Blender 5 there is an empty slot
     bpy.data.batch_remove([made, *tools, first, *others])
     return finished(result)

@@ -2,11 +2,11 @@
 """Blenders of the user's own, made up: a script that runs this Python, for what asks a Blender what it is."""
 
 import platform
-import shutil
 import sys
 from pathlib import Path
 
 import pytest
+from command import module_sources
 
 import addon
 
@@ -46,8 +46,16 @@ def modules(tmp_path):
     return tmp_path / "cache" / "standalone" / "modules"
 
 
+def placed(content, modules):
+    """A module of this checkout's sources, where self-contained ones for this Python are."""
+    module = modules / HERS / MODULES[0].name
+    module.parent.mkdir(parents=True)
+    module.write_bytes(content)
+    module_sources.record(module).write_text(module_sources.digest())
+    return module
+
+
 @pytest.fixture
 def fitting(modules):
     """A module that this Python loads, where self-contained ones are."""
-    (modules / HERS).mkdir(parents=True)
-    return shutil.copy(MODULES[0], modules / HERS)
+    return placed(MODULES[0].read_bytes(), modules)

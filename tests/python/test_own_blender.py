@@ -7,7 +7,8 @@ import subprocess
 import sys
 
 import pytest
-from own_blenders import HERE, HERS, MODULES, PROJECT, with_module
+from command import module_sources
+from own_blenders import HERE, HERS, MODULES, PROJECT, placed, with_module
 
 pytest_plugins = ("own_blenders",)
 
@@ -78,18 +79,25 @@ def test_modules_for_another_python_are_not_tried(choose, blender, modules, fitt
 
 
 def test_a_module_that_does_not_load_is_named_with_the_reason(choose, blender, modules):
-    (modules / HERS).mkdir(parents=True)
-    (modules / HERS / MODULES[0].name).write_bytes(b"not a library " * 99)
+    placed(b"not a library " * 99, modules)
     done, said = choose(blender())
     assert done == [] and said.count("\n") == 1
-    assert f"{MODULES[0].name} does not load in" in said and ": invalid ELF header), and" in said
+    assert f"{MODULES[0].name} cannot be used in" in said and ": invalid ELF header), and" in said
     assert "missing: CMake (cmake)" in said
+
+
+@pytest.mark.parametrize("told", ["0123", None])
+def test_a_module_of_other_sources_is_named_and_not_taken(choose, blender, fitting, told):
+    record = module_sources.record(fitting)
+    record.unlink() if told is None else record.write_text(told)
+    done, said = choose(blender())
+    assert done == [] and f"{fitting} cannot be used in" in said and "made of other sources than these), and" in said
 
 
 def test_a_module_that_ends_blender_is_named(choose, blender, fitting):
     ends = f"echo 'fovea python 3.11'; echo 'fovea program {sys.executable}'; echo 'fovea tried {fitting}'; exit 11"
     done, said = choose(blender(ending=ends))
-    assert done == [] and f"{fitting} does not load in" in said and "it ends Blender" in said
+    assert done == [] and f"{fitting} cannot be used in" in said and "it ends Blender" in said
 
 
 def test_a_blender_on_path_without_module_says_so_before_a_suite_is_set_up(choose, blender, modules):

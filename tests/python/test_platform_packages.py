@@ -47,7 +47,7 @@ def test_a_zip_has_equal_bytes_whatever_the_time_and_the_order(tmp_path):
 
 def test_a_wheel_names_build_python_and_platform(written):
     digest = hashlib.sha256(b"a module").hexdigest()[:8]
-    assert written.name == f"fovea_native-0.1.0+{digest}-cp311-cp311-manylinux_2_28_x86_64.whl"
+    assert written.name == f"fovea_native_{digest}-0.1.0-cp311-cp311-manylinux_2_28_x86_64.whl"
 
 
 def test_a_wheel_records_each_of_its_files(written):
@@ -93,7 +93,7 @@ def without_module(tmp_path, monkeypatch):
     monkeypatch.syspath_prepend(tmp_path)
     importlib.invalidate_caches()
     yield importlib.import_module("no_module.native")
-    for name in [name for name in sys.modules if name.split(".")[0] in ("no_module", "fovea_native")]:
+    for name in [name for name in sys.modules if name.startswith(("no_module", "fovea_native"))]:
         del sys.modules[name]
 
 
@@ -115,20 +115,49 @@ class Windows:
         major, minor = 3, 11
 
 
-def test_the_module_of_the_wheel_is_taken(without_module, tmp_path):
-    (tmp_path / "fovea_native").mkdir()
-    (tmp_path / "fovea_native" / "__init__.py").write_text(wheel.INIT)
-    (tmp_path / "fovea_native" / "_native.py").write_text("answer, notes = 42, {}")
-    importlib.invalidate_caches()
-    assert without_module.load().answer == 42
+@pytest.fixture
+def unpacked(without_module, tmp_path):
+    """unpacked(package): a wheel for this Python is in the extension, and is unpacked as a package."""
+
+    def make(package, text="answer, notes = 42, {}"):
+        wheels = Path(without_module.__file__).parent / "wheels"
+        shutil.rmtree(wheels, ignore_errors=True)
+        wheels.mkdir()
+        python = f"cp{sys.version_info.major}{sys.version_info.minor}"
+        (wheels / f"{package}-0.1.0-{python}-{python}-any.whl").touch()
+        (tmp_path / package).mkdir()
+        (tmp_path / package / "__init__.py").write_text(wheel.INIT)
+        (tmp_path / package / "_native.py").write_text(text)
+        importlib.invalidate_caches()
+        return tmp_path / package
+
+    return make
 
 
-def test_a_wheel_of_another_python_is_named(without_module, tmp_path):
-    (tmp_path / "fovea_native").mkdir()
-    (tmp_path / "fovea_native" / "__init__.py").touch()
-    (tmp_path / "fovea_native" / "_native.cpython-37-x86_64-linux-gnu.so").touch()
+def test_the_module_of_the_wheel_is_taken(without_module, unpacked, tmp_path):
+    unpacked("fovea_native_2")
+    shutil.copytree(tmp_path / "fovea_native_2", tmp_path / "fovea_native_1")  # of an extension that is no more
+    assert without_module.load().__name__ == "fovea_native_2._native" and without_module.load().answer == 42
+
+
+def test_the_module_of_another_wheel_waits_for_a_new_start(without_module, unpacked):
+    unpacked("fovea_native_1")
+    assert without_module.problem() == ""
+    unpacked("fovea_native_2")
+    assert without_module.problem() == without_module.UPDATED and "fovea_native_2._native" not in sys.modules
+
+
+def test_a_wheel_that_is_not_unpacked_is_named(without_module, unpacked):
+    shutil.rmtree(unpacked("fovea_native_1"))
     importlib.invalidate_caches()
-    assert "only _native.cpython-37-x86_64-linux-gnu.so" in without_module.problem()
+    assert "not unpacked Fovea's native module, fovea_native_1-0.1.0-cp" in without_module.problem()
+
+
+def test_wheels_of_another_python_are_named(without_module):
+    wheels = Path(without_module.__file__).parent / "wheels"
+    wheels.mkdir()
+    (wheels / "fovea_native_1-0.1.0-cp37-cp37-manylinux_2_28_x86_64.whl").touch()
+    assert "only fovea_native_1-0.1.0-cp37-cp37-manylinux_2_28_x86_64.whl; " in without_module.problem()
 
 
 def test_every_source_is_pinned_and_what_modules_consist_of_has_its_license():
@@ -148,6 +177,18 @@ def test_every_source_is_pinned_and_what_modules_consist_of_has_its_license():
         "pybind11",
     }
     assert {source.name for source in table if source.licenses} == built_in | {"zig_lib"}
+
+
+@pytest.mark.parametrize("name, part", [("linux-x64", "LICENSES"), ("windows-x64", "COPYING"), ("macos-arm64", None)])
+def test_a_wheel_has_the_license_of_the_c_library_of_its_system(name, part, tmp_path):
+    for source in sources.declared():
+        for each in (*map(source.place, source.licenses), "libc/glibc/LICENSES", "libc/mingw/COPYING"):
+            file = tmp_path / source.name / each
+            file.parent.mkdir(parents=True, exist_ok=True)
+            file.write_text(f"license of {each}")
+    found = wheel.licenses(tmp_path, PROJECT / "LICENSE", toolchain.PLATFORMS[name])
+    assert [each for each in found if each.startswith(name)] == ([f"{name}-{part}"] if part else [])
+    assert {"zig_lib-LICENSE.TXT", "embree-LICENSE.txt"} < set(found)
 
 
 def test_an_archive_with_another_checksum_is_not_taken(tmp_path, monkeypatch):

@@ -3,7 +3,12 @@
 
 import os
 import subprocess
+import sys
 from pathlib import Path
+
+import pytest
+
+pytestmark = pytest.mark.skipif(not sys.platform.startswith("linux"), reason="Slurm's tasks run on Linux")
 
 FARM = Path(__file__).parents[2] / "addon" / "farm"
 

@@ -4,6 +4,7 @@ the cache are not tested; `fovea standalone` builds them."""
 
 import os
 import sys
+import zlib
 from pathlib import Path
 
 import pytest
@@ -11,6 +12,7 @@ from command.standalone import bindings, build, checks, interface, toolchain
 
 from addon import native as loader
 
+PROJECT = Path(__file__).parents[2]
 BLENDER = os.environ.get("FOVEA_BLENDER")
 CACHE = Path(os.environ.get("FOVEA_STANDALONE", "nowhere"))
 LINUX, WINDOWS, MACOS = (toolchain.PLATFORMS[name] for name in ("linux-x64", "windows-x64", "macos-arm64"))
@@ -36,6 +38,15 @@ def own_module():
 @pytest.mark.parametrize("platform, python", MODULES)
 def test_a_module_needs_nothing_but_the_system(platform, python):
     assert checks.problems(module(platform, python), platform, python) == []
+
+
+@pytest.mark.parametrize("platform", toolchain.PLATFORMS.values(), ids=lambda platform: platform.name)
+def test_the_zip_of_a_platform_has_at_most_10_mb(platform):
+    """Its modules, and all files of the extension, compressed as zip files have them."""
+    modules = [module(platform, python) for python in toolchain.PYTHONS]
+    files = [file for folder in ("addon", "shaders") for file in (PROJECT / folder).rglob("*") if file.is_file()]
+    rest = [file for file in files if file.suffix not in (".pyi", ".pyc")]
+    assert sum(len(zlib.compress(file.read_bytes(), 9)) for file in (*modules, *rest)) < 10 << 20
 
 
 def test_a_module_that_needs_libraries_of_debian_is_found_out():

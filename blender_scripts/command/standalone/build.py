@@ -4,12 +4,14 @@
 import os
 import shutil
 
+from .. import module_sources
 from ..target import PROJECT, StepFailed
 from . import linker, python_names, sources, toolchain
 
 
 def modules(target, platform, pythons=toolchain.PYTHONS):
     """Builds the modules for some Pythons; returns where each is: in the cache, at a place that is always the same."""
+    digest = module_sources.digest()  # of what is built now: it may change meanwhile
     built = _build(target, platform, [f"_native_{tag(python)}" for python in pythons])
     places = []
     for python in pythons:
@@ -19,6 +21,7 @@ def modules(target, platform, pythons=toolchain.PYTHONS):
         fresh = place.with_name("fresh")
         shutil.copyfile(found, fresh)  # a new file: the old one may be loaded
         fresh.replace(place)
+        module_sources.record(place).write_text(digest, encoding="utf-8")
         places.append(place)
     return places
 

@@ -17,6 +17,7 @@ class Platform:
     processor: str
     suffix: str  # end of a module's name, as this platform's Python wants it; {} is 311
     wheel: str  # platform tag of wheels
+    license: str = ""  # of the parts of the C library that are linked: its file in zig_lib
     program: str = ""  # end of a program's name
 
     def module_name(self, python):
@@ -36,9 +37,12 @@ PLATFORMS = {
     for platform in (
         Platform(
             "linux-x64", "x86_64-linux-gnu.2.28", "Linux", "x86_64", ".cpython-{}-x86_64-linux-gnu.so",
-            "manylinux_2_28_x86_64",
+            "manylinux_2_28_x86_64", "libc/glibc/LICENSES",
         ),
-        Platform("windows-x64", "x86_64-windows-gnu", "Windows", "AMD64", ".cp{}-win_amd64.pyd", "win_amd64", ".exe"),
+        Platform(
+            "windows-x64", "x86_64-windows-gnu", "Windows", "AMD64", ".cp{}-win_amd64.pyd", "win_amd64",
+            "libc/mingw/COPYING", ".exe",
+        ),
         Platform(
             "macos-arm64", "aarch64-macos.11.0", "Darwin", "arm64", ".cpython-{}-darwin.so", "macosx_11_0_arm64",
         ),
