@@ -111,6 +111,28 @@ def test_one_step_of_undo_takes_the_lines_away(cycles):
     assert lines_over.is_on(bpy.context.scene) and list(check.problems(bpy.context.scene)) == []
 
 
+@pytest.mark.parametrize("projection", ["PERSP", "ORTHO"])
+def test_both_eyes_of_a_stereo_pair_have_their_lines(cycles, tmp_path, projection):
+    cycles.cycles.samples, cycles.render.use_multiview = 4, True
+    camera = cycles.camera.data
+    camera.type, camera.ortho_scale = projection, 7.2
+    camera.stereo.interocular_distance, camera.stereo.convergence_distance = 0.3, 20
+    for obj in cycles.objects:
+        obj.hide_render = obj.name.startswith("Box")
+    bpy.ops.fovea.lines_over()
+    cycles.render.filepath = str(tmp_path / "pair.png")
+    cycles.render.image_settings.file_format = "PNG"
+    bpy.ops.render.render(write_still=True)
+    at = []
+    for side in "LR":
+        photo, lines = parts(pixels_of(tmp_path / f"pair_{side}.png"))
+        columns = np.arange(len(lines[0])) + 0.5
+        at.append([np.average(columns, weights=each.sum(axis=0)) for each in (photo, lines)])
+    (photo_left, lines_left), (photo_right, lines_right) = at
+    assert abs(photo_left - photo_right) > 1
+    assert lines_right - lines_left == pytest.approx(photo_right - photo_left, abs=NEAR)
+
+
 def a_border(scene):
     render = scene.render
     render.use_border = True
