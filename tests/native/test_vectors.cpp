@@ -31,8 +31,9 @@ vector::Drawing of_a_part(vector::Options options, double pressure = 0.0) {
     style.line_sets[0].pen.pressure = pressure;
     options.sheet = vector::Sheet::a4;
     options.margin = 20.0;
-    Frame frame = cube(style);
-    frame.job.view.view_to_clip = dmat4({2, 0, 0, 0}, {0, 2, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}) * frame.job.view.view_to_clip;
+    Job job = cube(style).job;
+    job.view.view_to_clip = dmat4({2, 0, 0, 0}, {0, 2, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}) * job.view.view_to_clip;
+    Frame frame(std::move(job));
     return vector::compose(frame, options);
 }
 
@@ -135,6 +136,17 @@ TEST(Vectors, OfAPenThinnerThanAPixelHaveItsWidth) {
         EXPECT_NEAR(path.look.width, 0.5 * 210.0 / 1080.0, 1e-3);
         EXPECT_EQ(path.look.opacity, 1.0);
     }
+}
+
+TEST(Vectors, OfAPenInMillimetersAreAsWideOnEveryPageAndThoseOfOthersGrowWithThePicture) {
+    style::Style style = tool::style_of({"contour", "crease"});
+    const auto width = [&](vector::Options options) { return paths_of(drawn(style, options)).at(0).look.width; };
+    EXPECT_GT(width({.sheet = vector::Sheet::a2}), 1.5 * width({.sheet = vector::Sheet::a4}));
+    style.line_sets[0].pen.width_unit = style::WidthUnit::millimetres;
+    style.line_sets[0].pen.width = 0.35;
+    for (const auto sheet : {vector::Sheet::page, vector::Sheet::a2, vector::Sheet::a5})
+        for (const bool plotter : {false, true}) EXPECT_NEAR(width({.sheet = sheet, .plotter = plotter}), 0.35, 1e-6);
+    EXPECT_NEAR(width({.sheet = vector::Sheet::pixels}), 0.35 * side / 210.0, 1e-6);
 }
 
 TEST(Vectors, ForAPlotterAreJoinedInALayerForEachPenAndDashesApart) {

@@ -101,9 +101,7 @@ class Splitter {
 
    private:
     /// Whether the segment from a point is.
-    bool seen(std::size_t i) const {
-        return std::max(points_[i].ink.w, points_[i + 1].ink.w) > unseen && is_inside(i);
-    }
+    bool seen(std::size_t i) const { return std::max(points_[i].ink.w, points_[i + 1].ink.w) > unseen && is_inside(i); }
     bool is_inside(std::size_t i) const { return sides_.hold(points_[i], points_[i + 1]); }
 
     void add(std::size_t from, std::size_t to) {
@@ -155,7 +153,9 @@ Marks marks_of(const Frame& frame, const Page& page, double tolerance, Cutting c
     const LineShaper shaper(inking);
     const dvec3 paper = frame.job.style.paper.color;
     const View& view = frame.job.view;
-    const Sides sides{page.place({0, 0}), page.place({view.width, view.height}), cutting == Cutting::elision ? 0.0 : 0.5};
+    const Sides sides{page.place({0, 0}), page.place({view.width, view.height}),
+                      cutting == Cutting::elision ? 0.0 : 0.5};
+    const double of_mm = 1.0 / (frame.job.style.paper.px_per_mm(view.reference_scale) * page.unit_mm);
     Marks found;
     for (const Pen& pen : frame.pens.pens)
         found.grains.push_back(grain_of(pen.texture == none ? nullptr : &frame.pens.textures[pen.texture]));
@@ -166,10 +166,12 @@ Marks marks_of(const Frame& frame, const Page& page, double tolerance, Cutting c
             if (number == none || !shaper.shape(Index(r), line)) continue;
             const Pen& pen = inking.pens[number];
             const Grain& grain = found.grains[number];
+            const bool in_mm = pen.look.width_unit == style::WidthUnit::millimetres;
+            const double of_width = 2.0 * grain.width * (in_mm ? of_mm : page.scale);
             std::vector<Inked> points;
             for (const CenterPoint& p : line.points) {
                 points.push_back(
-                    {page.place(p.px), page.scale * p.arc, page.scale * 2.0 * p.half_width * p.thinness * grain.width,
+                    {page.place(p.px), page.scale * p.arc, of_width * p.half_width * p.thinness,
                      ink_of(p, pen, pen.away == none ? pen : inking.pens[pen.away], grain.opacity, paper)});
                 double& opacity = points.back().ink.w;
                 if (cutting == Cutting::elision) opacity = opacity > unseen && p.shown >= half_shown ? 1.0 : 0.0;

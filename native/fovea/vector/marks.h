@@ -13,7 +13,7 @@ namespace fovea::vector {
 struct Mark {
     Index run = none;                 ///< of the frame's drawn runs
     Points points = {};               ///< in units of the page
-    std::vector<double> widths = {};  ///< per point
+    std::vector<double> widths = {};  ///< per point; of pens in millimeters true on every page
     double arc = 0.0;                 ///< along its path to its first point, 0 at the path's middle
     dvec3 color{0.0};                 ///< as displayed
     double opacity = 1.0;

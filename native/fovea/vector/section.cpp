@@ -13,7 +13,9 @@ namespace {
 /// What of a polygon is in a rectangle: beyond a side of it, the polygon goes along that.
 Points inside(Points polygon, const dvec2& lower, const dvec2& upper) {
     for (int side = 0; side < 4; ++side) {
-        const auto room = [&](const dvec2& p) { return side < 2 ? p[side] - lower[side] : upper[side - 2] - p[side - 2]; };
+        const auto room = [&](const dvec2& p) {
+            return side < 2 ? p[side] - lower[side] : upper[side - 2] - p[side - 2];
+        };
         Points kept;
         for (std::size_t i = 0; i < polygon.size(); ++i) {
             const dvec2 &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
