@@ -298,6 +298,16 @@ def test_what_keeps_lines_away_is_told_as_a_render_begins_and_repaired(cycles, t
     assert with_lines(cycles, tmp_path / "both.png").max() > 0.9
 
 
+def test_vectors_with_every_render_are_of_the_lines_and_beside_the_picture(cycles, tmp_path):
+    cycles.cycles.samples = 1
+    cycles.fovea.vectors.kind, cycles.fovea.vectors.sheet = "SVG", "pixels"
+    bpy.ops.fovea.lines_over()
+    render_a_frame(cycles, tmp_path)
+    assert sorted(file.name for file in tmp_path.iterdir()) == ["frame_0001.png", "frame_0001.svg"]
+    text = (tmp_path / "frame_0001.svg").read_text()
+    assert 'data-object="Sphere"' in text and "<rect" not in text and "<image" not in text, "lines alone"
+
+
 def test_lines_that_cannot_be_drawn_leave_the_photograph_and_are_told(cycles, tmp_path, capfd):
     cycles.cycles.samples = 1
     bpy.ops.fovea.lines_over()
