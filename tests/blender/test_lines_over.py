@@ -184,11 +184,36 @@ def a_shifted_lens(scene):
     scene.camera.data.ortho_scale = 7
 
 
+def a_background_set(scene):
+    scene.background_set = bpy.data.scenes.new("Stage")
+    box = new_object(box_mesh(0.4), "Later", (0, -1, 1.4), scene.background_set.collection)
+    box.data.materials.append(bpy.data.materials["White"])
+
+
+def a_linked_collection(scene):
+    """Of another file, with an instance, and the object itself as an override that is elsewhere."""
+    made = bpy.data.collections.new("Linked")
+    new_object(box_mesh(0.3), "Linked", (0, 0, 0), made)
+    file = f"{bpy.app.tempdir}linked.blend"
+    bpy.data.libraries.write(file, {made})
+    bpy.data.objects.remove(bpy.data.objects["Linked"])
+    bpy.data.collections.remove(made)
+    with bpy.data.libraries.load(file, link=True) as (_, wanted):
+        wanted.collections = ["Linked"]
+    (linked,) = wanted.collections
+    instance = bpy.data.objects.new("Instance", None)
+    instance.instance_type, instance.instance_collection = "COLLECTION", linked
+    instance.location = 0, -2, 1.2
+    scene.collection.objects.link(instance)
+    scene.collection.children.link(linked)
+    linked.override_hierarchy_create(scene, scene.view_layers[0]).objects[0].location = 1.2, -2, 1.2
+
+
 CHANGES = (
     (a_border, a_later_object),
     (a_cropped_border, a_camera_of_a_marker, an_excluded_collection),
     (another_size, a_keyed_camera, stretched_pixels),
-    (a_shifted_lens,),
+    (a_shifted_lens, a_background_set, a_linked_collection),
 )
 
 
