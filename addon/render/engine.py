@@ -24,8 +24,18 @@ class FoveaEngine(bpy.types.RenderEngine):
         session.register_passes(self, scene, renderlayer)
 
     def render(self, depsgraph):
-        if not as_rendered.looked(self, depsgraph):
+        if as_rendered.looked(self, depsgraph):
+            return
+        for view in self._views(depsgraph.view_layer):
+            self.active_view_set(view)
             session.render(self, depsgraph, also=partial(beside_renders.write, self, depsgraph))
+
+    def _views(self, layer):
+        """Names of what Blender wants of a view layer: both eyes of a stereo pair, views, or an empty name alone."""
+        result = self.begin_result(0, 0, 1, 1, layer=layer.name)
+        names = [view.name for view in result.views]
+        self.end_result(result, cancel=True)
+        return names
 
     def view_update(self, context, depsgraph):
         viewport.update(self, depsgraph)

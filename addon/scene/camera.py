@@ -18,7 +18,8 @@ OBJECT_CLIP = 0.1, 100.0  # near and far of Blender's projection for objects tha
 def of_render(engine, depsgraph):
     """The View of a final render, including its border and resolution percentage."""
     camera = chosen(engine, depsgraph).evaluated_get(depsgraph)
-    return _of_frame(camera, engine_matrix(engine, camera), depsgraph, engine.resolution_x, engine.resolution_y)
+    size = engine.resolution_x, engine.resolution_y
+    return _of_frame(camera, engine_matrix(engine, camera), depsgraph, *size, _shift(engine, camera))
 
 
 def of_scene(depsgraph, camera=None):
@@ -30,9 +31,9 @@ def of_scene(depsgraph, camera=None):
     return _of_frame(camera, camera.matrix_world.normalized(), depsgraph, width, height)
 
 
-def _of_frame(camera, camera_to_world, depsgraph, width, height):
+def _of_frame(camera, camera_to_world, depsgraph, width, height, shift=0.0):
     near, far = _clip_distances(camera, OBJECT_CLIP)
-    full = _projection(camera, depsgraph, width, height)
+    full = _shifted(_projection(camera, depsgraph, width, height), camera, shift)
     left, bottom, right, top = _border(followed.of(depsgraph.scene).render, width, height)
     return View(
         world_to_view=_world_to_view(camera, camera_to_world),
@@ -57,6 +58,24 @@ def chosen(engine, depsgraph):
 def engine_matrix(engine, camera):
     """Camera-to-world matrix without scale, as Blender renders it; of the eye being rendered in stereo."""
     return engine.camera_model_matrix(camera, use_spherical_stereo=False)
+
+
+def _shift(engine, camera):
+    """What the lens of the eye being rendered in stereo is shifted to the side, beside the camera's own shift."""
+    if camera.type != "CAMERA":
+        return 0.0
+    return engine.camera_shift_x(camera, use_spherical_stereo=False) - camera.data.shift_x
+
+
+def _shifted(full, camera, shift):
+    """A projection whose lens is shifted further to the side, in sizes of the sensor."""
+    if shift and full[3, 3]:
+        full[0, 3] -= full[0, 0] * shift * camera.data.ortho_scale
+    elif shift:
+        data = camera.data
+        sensor = data.sensor_height if data.sensor_fit == "VERTICAL" else data.sensor_width
+        full[0, 2] += full[0, 0] * shift * sensor / data.lens
+    return full
 
 
 def in_frame(depsgraph, at):

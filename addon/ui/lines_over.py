@@ -12,10 +12,11 @@ from .elision import RENDER_PT_fovea_elision
 from .focus import RENDER_PT_fovea_focus
 from .lines import RENDER_PT_fovea_lines
 from .style import RENDER_PT_fovea_style
+from .vectors import RENDER_PT_fovea_vectors
 
 BELOW = (
     *(RENDER_PT_fovea_style, RENDER_PT_fovea_lines, RENDER_PT_fovea_focus, RENDER_PT_fovea_effects),
-    RENDER_PT_fovea_elision,
+    *(RENDER_PT_fovea_elision, RENDER_PT_fovea_vectors),
 )
 _registered = []
 

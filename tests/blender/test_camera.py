@@ -27,6 +27,7 @@ def engine_of(scene):
         resolution_y=int(scene.render.resolution_y * percentage),
         camera_override=None,
         camera_model_matrix=lambda obj, use_spherical_stereo: obj.matrix_world.normalized(),
+        camera_shift_x=lambda obj, use_spherical_stereo: obj.data.shift_x,
     )
 
 

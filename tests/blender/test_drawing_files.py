@@ -75,6 +75,21 @@ def test_an_svg_is_as_inked_as_the_film_within_a_hundredth(scene, tmp_path, chan
     assert (np.abs(vector - film) > 0.5).sum() < 0.01 * film.sum()  # where they are, too
 
 
+def test_lines_that_leave_the_picture_end_at_its_border_and_are_as_inked_as_in_the_film(scene, tmp_path):
+    converter = program("rsvg-convert")
+    scene.camera.data.lens *= 3
+    film = coverage(drawn(scene, tmp_path / "film.png"))
+    ran(converter, "-w", 640, "-h", 480, exported(tmp_path / "box.svg"), "-o", tmp_path / "svg.png")
+    vector = ink(pixels_of(tmp_path / "svg.png"))
+    assert film[0].max() > 0.9 and abs(vector.sum() - film.sum()) < 0.01 * film.sum()
+    sheet = exported(tmp_path / "sheet.svg", sheet="a4", margin=30.0)  # the picture is 200 x 150 mm
+    ran(converter, "-w", 297, "-h", 210, sheet, "-o", tmp_path / "sheet.png")
+    beside = ink(pixels_of(tmp_path / "sheet.png"))
+    inside = beside[28:-28, 46:-46].copy()
+    beside[28:-28, 46:-46] = 0
+    assert inside.sum() > 100 and beside.sum() == 0
+
+
 @pytest.mark.parametrize(("kind", "share"), [("svg", 0.02), ("pdf", 0.03)])  # pdftoppm makes areas wider
 def test_colors_as_areas_are_the_picture_s_but_at_edges(scene, tmp_path, kind, share):
     converter = program("rsvg-convert" if kind == "svg" else "pdftoppm")

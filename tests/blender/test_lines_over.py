@@ -111,6 +111,28 @@ def test_one_step_of_undo_takes_the_lines_away(cycles):
     assert lines_over.is_on(bpy.context.scene) and list(check.problems(bpy.context.scene)) == []
 
 
+@pytest.mark.parametrize("projection", ["PERSP", "ORTHO"])
+def test_both_eyes_of_a_stereo_pair_have_their_lines(cycles, tmp_path, projection):
+    cycles.cycles.samples, cycles.render.use_multiview = 4, True
+    camera = cycles.camera.data
+    camera.type, camera.ortho_scale = projection, 7.2
+    camera.stereo.interocular_distance, camera.stereo.convergence_distance = 0.3, 20
+    for obj in cycles.objects:
+        obj.hide_render = obj.name.startswith("Box")
+    bpy.ops.fovea.lines_over()
+    cycles.render.filepath = str(tmp_path / "pair.png")
+    cycles.render.image_settings.file_format = "PNG"
+    bpy.ops.render.render(write_still=True)
+    at = []
+    for side in "LR":
+        photo, lines = parts(pixels_of(tmp_path / f"pair_{side}.png"))
+        columns = np.arange(len(lines[0])) + 0.5
+        at.append([np.average(columns, weights=each.sum(axis=0)) for each in (photo, lines)])
+    (photo_left, lines_left), (photo_right, lines_right) = at
+    assert abs(photo_left - photo_right) > 1
+    assert lines_right - lines_left == pytest.approx(photo_right - photo_left, abs=NEAR)
+
+
 def a_border(scene):
     render = scene.render
     render.use_border = True
@@ -162,11 +184,36 @@ def a_shifted_lens(scene):
     scene.camera.data.ortho_scale = 7
 
 
+def a_background_set(scene):
+    scene.background_set = bpy.data.scenes.new("Stage")
+    box = new_object(box_mesh(0.4), "Later", (0, -1, 1.4), scene.background_set.collection)
+    box.data.materials.append(bpy.data.materials["White"])
+
+
+def a_linked_collection(scene):
+    """Of another file, with an instance, and the object itself as an override that is elsewhere."""
+    made = bpy.data.collections.new("Linked")
+    new_object(box_mesh(0.3), "Linked", (0, 0, 0), made)
+    file = f"{bpy.app.tempdir}linked.blend"
+    bpy.data.libraries.write(file, {made})
+    bpy.data.objects.remove(bpy.data.objects["Linked"])
+    bpy.data.collections.remove(made)
+    with bpy.data.libraries.load(file, link=True) as (_, wanted):
+        wanted.collections = ["Linked"]
+    (linked,) = wanted.collections
+    instance = bpy.data.objects.new("Instance", None)
+    instance.instance_type, instance.instance_collection = "COLLECTION", linked
+    instance.location = 0, -2, 1.2
+    scene.collection.objects.link(instance)
+    scene.collection.children.link(linked)
+    linked.override_hierarchy_create(scene, scene.view_layers[0]).objects[0].location = 1.2, -2, 1.2
+
+
 CHANGES = (
     (a_border, a_later_object),
     (a_cropped_border, a_camera_of_a_marker, an_excluded_collection),
     (another_size, a_keyed_camera, stretched_pixels),
-    (a_shifted_lens,),
+    (a_shifted_lens, a_background_set, a_linked_collection),
 )
 
 
@@ -274,6 +321,16 @@ def test_what_keeps_lines_away_is_told_as_a_render_begins_and_repaired(cycles, t
             assert "Fovea draws no lines over 'Scene'" in capfd.readouterr().out
         assert bpy.ops.fovea.lines_over_repair() == {"FINISHED"}, trouble.__name__
     assert with_lines(cycles, tmp_path / "both.png").max() > 0.9
+
+
+def test_vectors_with_every_render_are_of_the_lines_and_beside_the_picture(cycles, tmp_path):
+    cycles.cycles.samples = 1
+    cycles.fovea.vectors.kind, cycles.fovea.vectors.sheet = "SVG", "pixels"
+    bpy.ops.fovea.lines_over()
+    render_a_frame(cycles, tmp_path)
+    assert sorted(file.name for file in tmp_path.iterdir()) == ["frame_0001.png", "frame_0001.svg"]
+    text = (tmp_path / "frame_0001.svg").read_text()
+    assert 'data-object="Sphere"' in text and "<rect" not in text and "<image" not in text, "lines alone"
 
 
 def test_lines_that_cannot_be_drawn_leave_the_photograph_and_are_told(cycles, tmp_path, capfd):

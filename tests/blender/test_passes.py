@@ -230,6 +230,25 @@ def test_blenders_cryptomatte_node_picks_the_lines_of_an_object_by_its_name(tmp_
     assert (box[behind > 0.9] < 0.2).all()
 
 
+def test_blenders_cryptomatte_node_picks_them_in_a_file_too(tmp_path):
+    scene = two_boxes()
+    layered(scene, tmp_path / "crypto.exr")
+    if hasattr(scene.render.image_settings, "media_type"):
+        scene.render.image_settings.media_type = "IMAGE"
+    tree, output = new_compositor(scene)
+    node = tree.nodes.new("CompositorNodeCryptomatteV2")
+    node.source, node.image = "IMAGE", bpy.data.images.load(str(tmp_path / "crypto.exr"))
+    assert node.layer_name == "ViewLayer.CryptoObject"
+    tree.links.new(node.outputs["Matte"], output.inputs[0])
+    layers_node(tree, scene)
+    scene.view_settings.view_transform = "Raw"
+    ink = []
+    for name in ("Box", "Behind", "Nobody"):
+        node.matte_id = name
+        ink.append(drawn(scene, tmp_path / "matte.png")[..., 0].sum())
+    assert ink[0] > 20 and ink[1] > 20 and ink[2] == 0
+
+
 def test_passes_of_a_mix_of_styles_are_those_of_both_in_every_frame(tmp_path):
     scene = box_scene()
     data = part("style.style_data")

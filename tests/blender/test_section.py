@@ -86,6 +86,14 @@ def test_the_cut_of_a_cube_is_a_square_that_is_filled_and_to_scale(scene):
         svg(scene, sheet="a5", to_scale=True)
 
 
+def test_the_filled_cut_ends_where_the_picture_does(scene):
+    plane(scene)
+    scene.camera.data.ortho_scale, scene.camera.location.x = 3, 1  # 315 x 210 mm for 3 x 2 m, from a half to five
+    corners = corners_of(svg(scene))
+    assert np.ptp(corners, axis=0) == pytest.approx((157.5, 210), abs=2e-3)
+    assert corners.min(axis=0) == pytest.approx((0, 0), abs=2e-3)
+
+
 def test_a_mesh_that_stands_for_the_plane_is_not_drawn(scene):
     bpy.ops.mesh.primitive_plane_add(size=10)
     assert len(api.lines("border", depsgraph=depsgraph())["points"])

@@ -53,6 +53,65 @@ def points(path):
     return np.array(found)
 
 
+def traced(path):
+    """(n, 2) points along an SVG path's curves: ends of lines, and of cubics, with points as dense as they bend."""
+    at, found = np.zeros(2), []
+    for letter, numbers in re.findall(r"([a-zA-Z])([^a-zA-Z]*)", path.get("d")):
+        values = [float(n) for n in re.findall(r"-?(?:\d+\.?\d*|\.\d+)", numbers)]
+        if letter == "z":
+            found.append(found[0])
+        elif letter == "c":
+            for a, b, end in np.reshape(values, (-1, 3, 2)):
+                length = np.hypot(*a) + np.hypot(*(b - a)) + np.hypot(*(end - b))
+                u = np.linspace(0, 1, 3 + int(12 * np.sqrt(length)))[1:, None]
+                found.extend(at + 3 * u * (1 - u) ** 2 * a + 3 * u**2 * (1 - u) * b + u**3 * end)
+                at = found[-1]
+        else:
+            along = {"h": lambda v: (v, 0.0), "v": lambda v: (0.0, v)}
+            for step in [along[letter](v) for v in values] if letter in along else np.reshape(values, (-1, 2)):
+                at = np.array(step) if letter == "M" else at + step
+                found.append(at)
+    return np.array(found)
+
+
+def farthest(points, line):
+    """How far points are from a polyline at most."""
+    start, side = line[:-1], np.diff(line, axis=0)
+    share = ((points[:, None] - start) * side).sum(axis=2) / np.maximum((side**2).sum(axis=1), 1e-20)
+    nearest = start + np.clip(share, 0, 1)[..., None] * side
+    return np.hypot(*(points[:, None] - nearest).T).min(axis=0).max()
+
+
+@pytest.mark.parametrize("name", golden_scenes.SCENES)
+def test_curves_of_golden_scenes_keep_their_tolerance_on_both_sides(name, monkeypatch):
+    model = golden_scenes.MODELS.get(name)
+    if model and not model.exists():
+        pytest.skip(f"there is no {model}")
+    golden_scenes.build(name)
+    bpy.context.scene.render.engine = "FOVEA"
+    tolerance, made, files = 0.02, vectors.made, []
+
+    def both(frame, kind, asked):
+        for tried in (0.0, tolerance):
+            words = {"sheet": "a4", "widths": "center", "ground": False, "tolerance": tried}
+            files.append(made(frame, kind, vectors.options(**words)).file())
+        return made(frame, kind, asked)
+
+    monkeypatch.setattr(vectors, "made", both)
+    vectors.drawing(bpy.context, "svg", vectors.options(ground=False))
+    lines, curves = ({p.get("id"): p for p in ElementTree.fromstring(file).iter(f"{SVG}path")} for file in files)
+    lines.pop("section-fill", None), curves.pop("section-fill", None)
+    off, shared = [], sorted(lines.keys() & curves.keys())
+    shared = shared[:: 1 + len(shared) // 300]  # of very many, some
+    for line, curve in ((traced(lines[key]), traced(curves[key])) for key in shared):
+        # Where strokes fade, the last point that is seen is another one of finer lines.
+        if np.abs(line[[0, -1]] - curve[[0, -1]]).max() < 2 * tolerance:
+            off.append(max(farthest(line, curve), farthest(curve, line)))
+    assert len(off) > 0.9 * len(shared) > 5 and len(off) > 0.02 * len(lines)
+    assert np.quantile(off, 0.95) < 1.1 * tolerance + 0.002  # files have micrometers
+    assert max(off) < 2.5 * tolerance  # lines of small pictures have zigzags, which are smoothed before
+
+
 def test_a_box_is_its_edges_in_layers_on_paper(scene, tmp_path):
     root = ElementTree.fromstring(exported(tmp_path / "box.svg", sheet="a4"))
     assert (root.get("width"), root.get("height"), root.get("viewBox")) == ("297mm", "210mm", "0 0 297 210")

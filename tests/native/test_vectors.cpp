@@ -25,7 +25,40 @@ style::Style with_hidden() {
     return style;
 }
 
+/// The cube twice as near as it fits the picture, which is 170 mm wide and high in the middle of the sheet.
+vector::Drawing of_a_part(vector::Options options, double pressure = 0.0) {
+    style::Style style = with_hidden();
+    style.line_sets[0].pen.pressure = pressure;
+    options.sheet = vector::Sheet::a4;
+    options.margin = 20.0;
+    Job job = cube(style).job;
+    job.view.view_to_clip = dmat4({2, 0, 0, 0}, {0, 2, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}) * job.view.view_to_clip;
+    Frame frame(std::move(job));
+    return vector::compose(frame, options);
+}
+
+/// How far a drawing's paths reach beyond its picture.
+double reach_of(const vector::Drawing& drawing) {
+    double most = -1e9;
+    for (const vector::Path& path : paths_of(drawing))
+        for (const dvec2& point : path.curves.at(0).points) {
+            const dvec2 off = glm::abs(point - dvec2(105.0, 148.5)) - 85.0;
+            most = std::max({most, off.x, off.y});
+        }
+    return most;
+}
+
 }  // namespace
+
+TEST(Vectors, EndWithTheirInkAtTheBorderOfThePictureAndForAPlotterInIt) {
+    const double width = 2.0 * 170.0 / 1080.0, fitted = 0.02;
+    EXPECT_NEAR(reach_of(of_a_part({})), 0.5 * width, fitted);
+    EXPECT_NEAR(reach_of(of_a_part({.widths = vector::Widths::center}, 0.8)), 0.25 * width, 0.25 * width + fitted);
+    EXPECT_LE(reach_of(of_a_part({}, 0.8)), width + fitted);
+    EXPECT_NEAR(reach_of(of_a_part({.plotter = true})), 0.0, fitted);
+    for (const vector::Path& path : paths_of(of_a_part({})))
+        EXPECT_GT(path.look.width, 0.0) << "lines that are cut off are lines";
+}
 
 TEST(Vectors, OfACubeAreItsEdgesInLayersForWhatIsVisibleAndHidden) {
     const vector::Drawing cube = drawn(with_hidden());
@@ -103,6 +136,17 @@ TEST(Vectors, OfAPenThinnerThanAPixelHaveItsWidth) {
         EXPECT_NEAR(path.look.width, 0.5 * 210.0 / 1080.0, 1e-3);
         EXPECT_EQ(path.look.opacity, 1.0);
     }
+}
+
+TEST(Vectors, OfAPenInMillimetersAreAsWideOnEveryPageAndThoseOfOthersGrowWithThePicture) {
+    style::Style style = tool::style_of({"contour", "crease"});
+    const auto width = [&](vector::Options options) { return paths_of(drawn(style, options)).at(0).look.width; };
+    EXPECT_GT(width({.sheet = vector::Sheet::a2}), 1.5 * width({.sheet = vector::Sheet::a4}));
+    style.line_sets[0].pen.width_unit = style::WidthUnit::millimetres;
+    style.line_sets[0].pen.width = 0.35;
+    for (const auto sheet : {vector::Sheet::page, vector::Sheet::a2, vector::Sheet::a5})
+        for (const bool plotter : {false, true}) EXPECT_NEAR(width({.sheet = sheet, .plotter = plotter}), 0.35, 1e-6);
+    EXPECT_NEAR(width({.sheet = vector::Sheet::pixels}), 0.35 * side / 210.0, 1e-6);
 }
 
 TEST(Vectors, ForAPlotterAreJoinedInALayerForEachPenAndDashesApart) {

@@ -40,14 +40,36 @@ double range(const dvec4& low, const dvec4& high) {
     return std::max({d.x, d.y, d.z, d.w});
 }
 
-/// The points of a stroke, with more where its ink changes much from one to the next or begins to be seen.
-std::vector<Inked> stepped(const std::vector<Inked>& points) {
+/// The sides of the picture on a page. Strokes go on beyond them, as far as their ends need it.
+struct Sides {
+    dvec2 lower, upper;
+    double reach;  ///< of strokes beyond them, in widths: half of it leaves no ink of the picture out
+
+    /// How far a point is inside each of them; negative: strokes end before it.
+    dvec4 room(const Inked& p) const { return dvec4(p.at - lower, upper - p.at) + reach * p.width; }
+    /// Whether the segment is in the picture that no side cuts in between.
+    bool hold(const Inked& a, const Inked& b) const {
+        const dvec4 left = room(between(a, b, 0.5));
+        return std::min({left.x, left.y, left.z, left.w}) >= 0.0;
+    }
+};
+
+/// The points of a stroke, with more where its ink changes much from one to the next or begins to be seen, and where it
+/// leaves the picture.
+std::vector<Inked> stepped(const std::vector<Inked>& points, const Sides& sides) {
     std::vector<Inked> all{points.front()};
+    std::vector<double> places;
     for (std::size_t i = 1; i < points.size(); ++i) {
         const Inked &a = points[i - 1], &b = points[i];
         const double change = range(glm::min(a.ink, b.ink), glm::max(a.ink, b.ink));
         const int steps = std::max(1, int(std::ceil(2.0 * change / most_change)));
-        for (int k = 1; k < steps; ++k) all.push_back(between(a, b, double(k) / steps));
+        places.clear();
+        for (int k = 1; k < steps; ++k) places.push_back(double(k) / steps);
+        const dvec4 from = sides.room(a), to = sides.room(b);
+        for (int side = 0; side < 4; ++side)
+            if (from[side] * to[side] < 0.0) places.push_back(from[side] / (from[side] - to[side]));
+        std::ranges::sort(places);
+        for (const double t : places) all.push_back(between(a, b, t));
         all.push_back(b);
     }
     return all;
@@ -55,8 +77,9 @@ std::vector<Inked> stepped(const std::vector<Inked>& points) {
 
 class Splitter {
    public:
-    Splitter(const std::vector<Inked>& points, Index run, bool closed, Cutting cutting, std::vector<Mark>& out)
-        : points_(points), run_(run), closed_(closed), whole_(cutting != Cutting::by_ink), out_(out) {}
+    Splitter(const std::vector<Inked>& points, const Sides& sides, Index run, bool closed, Cutting cutting,
+             std::vector<Mark>& out)
+        : points_(points), sides_(sides), run_(run), closed_(closed), whole_(cutting != Cutting::by_ink), out_(out) {}
 
     void split() {
         const std::size_t last = points_.size() - 1;
@@ -78,15 +101,16 @@ class Splitter {
 
    private:
     /// Whether the segment from a point is.
-    bool seen(std::size_t i) const { return std::max(points_[i].ink.w, points_[i + 1].ink.w) > unseen; }
+    bool seen(std::size_t i) const { return std::max(points_[i].ink.w, points_[i + 1].ink.w) > unseen && is_inside(i); }
+    bool is_inside(std::size_t i) const { return sides_.hold(points_[i], points_[i + 1]); }
 
     void add(std::size_t from, std::size_t to) {
         const bool starts = from == 0, ends = to + 1 == points_.size();
         Mark mark{.run = run_,
                   .arc = points_[from].arc,
                   .closed = closed_ && starts && ends,
-                  .starts = starts && !closed_,
-                  .ends = ends && !closed_};
+                  .starts = starts ? !closed_ : !is_inside(from - 1),
+                  .ends = ends ? !closed_ : !is_inside(to)};
         dvec4 sum(0.0);
         double length = 0.0;
         for (std::size_t i = from; i <= to; ++i) {
@@ -104,6 +128,7 @@ class Splitter {
     }
 
     const std::vector<Inked>& points_;
+    const Sides& sides_;
     Index run_;
     bool closed_, whole_;
     std::vector<Mark>& out_;
@@ -127,6 +152,10 @@ Marks marks_of(const Frame& frame, const Page& page, double tolerance, Cutting c
     check_inking(inking);
     const LineShaper shaper(inking);
     const dvec3 paper = frame.job.style.paper.color;
+    const View& view = frame.job.view;
+    const Sides sides{page.place({0, 0}), page.place({view.width, view.height}),
+                      cutting == Cutting::elision ? 0.0 : 0.5};
+    const double of_mm = 1.0 / (frame.job.style.paper.px_per_mm(view.reference_scale) * page.unit_mm);
     Marks found;
     for (const Pen& pen : frame.pens.pens)
         found.grains.push_back(grain_of(pen.texture == none ? nullptr : &frame.pens.textures[pen.texture]));
@@ -137,16 +166,18 @@ Marks marks_of(const Frame& frame, const Page& page, double tolerance, Cutting c
             if (number == none || !shaper.shape(Index(r), line)) continue;
             const Pen& pen = inking.pens[number];
             const Grain& grain = found.grains[number];
+            const bool in_mm = pen.look.width_unit == style::WidthUnit::millimetres;
+            const double of_width = 2.0 * grain.width * (in_mm ? of_mm : page.scale);
             std::vector<Inked> points;
             for (const CenterPoint& p : line.points) {
                 points.push_back(
-                    {page.place(p.px), page.scale * p.arc, page.scale * 2.0 * p.half_width * p.thinness * grain.width,
+                    {page.place(p.px), page.scale * p.arc, of_width * p.half_width * p.thinness,
                      ink_of(p, pen, pen.away == none ? pen : inking.pens[pen.away], grain.opacity, paper)});
                 double& opacity = points.back().ink.w;
                 if (cutting == Cutting::elision) opacity = opacity > unseen && p.shown >= half_shown ? 1.0 : 0.0;
             }
             const std::size_t before = out.marks.size();
-            Splitter(stepped(points), Index(r), line.closed, cutting, out.marks).split();
+            Splitter(stepped(points, sides), sides, Index(r), line.closed, cutting, out.marks).split();
             if (out.marks.size() > before) out.numbers += numbers_of(inking.clipped, inking.runs, r);
         }
     });

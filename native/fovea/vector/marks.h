@@ -13,13 +13,13 @@ namespace fovea::vector {
 struct Mark {
     Index run = none;                 ///< of the frame's drawn runs
     Points points = {};               ///< in units of the page
-    std::vector<double> widths = {};  ///< per point
+    std::vector<double> widths = {};  ///< per point; of pens in millimeters true on every page
     double arc = 0.0;                 ///< along its path to its first point, 0 at the path's middle
     dvec3 color{0.0};                 ///< as displayed
     double opacity = 1.0;
     bool closed = false;              ///< the last point repeats the first
     bool is_dash = false;             ///< of a stroke that has dashes
-    bool starts = true, ends = true;  ///< whether its ends are those of the stroke, which have caps
+    bool starts = true, ends = true;  ///< whether its ends have caps: those of the stroke and of the picture
 };
 
 struct Marks {
@@ -32,11 +32,11 @@ struct Marks {
 enum class Cutting : std::uint8_t {
     by_ink,   ///< where their color or opacity changes
     unseen,   ///< where nothing is drawn alone: they have their mean color and opacity
-    elision,  ///< where elision leaves less than half: what is left is fully drawn
+    elision,  ///< where elision leaves less than half: what is left is fully drawn, and ends in the picture
 };
 
-/// Requires shape(). Where nothing is drawn, as elision or a transparent pen has it, there are no marks. `tolerance`:
-/// of curves that are made of them.
+/// Requires shape(). Where nothing is drawn, as elision or a transparent pen has it, there are no marks; they end where
+/// no ink of theirs is in the picture any more. `tolerance`: of curves that are made of them.
 Marks marks_of(const Frame& frame, const Page& page, double tolerance, Cutting cutting);
 
 /// Mean of the widths of a mark, by length.
