@@ -10,6 +10,12 @@
 
 namespace fovea::stroke {
 
+/// The drawing of a hand that changes in an animation (style/animation.h).
+struct Boil {
+    double amount = 0.0;
+    int drawing = 0;
+};
+
 /// What the strokes of a picture are made of. Borrowed.
 struct Inking {
     const ClippedPaths& clipped;
@@ -23,6 +29,7 @@ struct Inking {
     const Paths* paths = nullptr;  ///< to which pens fix their marks; null: all paths change with the view
     double tolerance_px = 0.1;     ///< of what is drawn beside the run, as `simplify` takes it
     In<PenPaint> paints = {};      ///< one per pen; empty: none takes anything of surfaces
+    Boil boil = {};
 };
 
 /// Throws std::invalid_argument where arrays do not fit together.
