@@ -48,7 +48,6 @@ Pens pens_of(const style::Style& style, const Assets& assets, double scale) {
         const double width = style.width_px(pen, scale);
         Pen made;
         made.look = style::in_pixels(pen, scale, style.paper.px_per_mm(scale));
-        made.look.written *= style.animation.written;
         made.width_px = float(width);
         made.texture_length_px = float(pen.length_scale * assets.texture_length(pen.texture) * width);
         if (const auto texture = numbers.find(pen.texture); texture != numbers.end()) made.texture = texture->second;

@@ -15,8 +15,8 @@ constexpr double whole_error = 1e-3;  // px: tolerance for a run that covers its
 
 /// The pens of runs, and the places of strength.
 void check_pens(const Inking& inking) {
-    const auto& [clipped, runs, pen_of_run, strength, pens, visibility, emphasis, ids, paths, tolerance, paints, boil] =
-        inking;
+    const auto& [clipped, runs, pen_of_run, strength, pens, visibility, emphasis, ids, paths, tolerance, paints,
+                 moment] = inking;
     const std::size_t count = runs.size();
     check(runs.start_px.size() == count && runs.end_px.size() == count && runs.invisibility.size() == count,
           "runs: piece, start_px, end_px and invisibility must have the same length");
@@ -83,8 +83,8 @@ LineShaper::LineShaper(const Inking& inking) : inking_(inking) {
 }
 
 bool LineShaper::shape(Index run, DrawnLine& out) const {
-    const auto& [clipped, runs, pen_of_run, strength, pens, visibility, emphasis, ids, paths, tolerance, paints, boil] =
-        inking_;
+    const auto& [clipped, runs, pen_of_run, strength, pens, visibility, emphasis, ids, paths, tolerance, paints,
+                 moment] = inking_;
     CenterLine& line = out.points;
     const Index piece = runs.piece[run], pen = pen_of_run[run];
     if (clipped.pieces.size(piece) < 2) return false;
@@ -107,7 +107,7 @@ bool LineShaper::shape(Index run, DrawnLine& out) const {
     const Index path = clipped.path[piece];
     const style::Pen& look = pens[pen].look;
     const std::uint64_t seed = (ids.empty() ? path : ids[path]) + static_cast<Index>(look.seed);
-    const Hand hand(seed, boil.amount, boil.drawing);
+    const Hand hand(seed, moment.boil, moment.boil_drawing);
     const Index away = pens[pen].away == none ? pen : pens[pen].away;
     if (is_anchored(pens[pen]) || is_anchored(pens[away]))
         PathAnchor(clipped, paths, piece, window_px(pens[pen])).place(line);
@@ -120,7 +120,7 @@ bool LineShaper::shape(Index run, DrawnLine& out) const {
     modify(line, pair, modifiers_[pen], modifiers_[away], course);
     fade_ends(line, fade);
     color(line, modifiers_[pen], modifiers_[away], course);
-    write(out, clipped.path_length_px[piece], look.written);
+    write(out, clipped.path_length_px[piece], moment.written * look.written);
     return line.size() >= 2;
 }
 

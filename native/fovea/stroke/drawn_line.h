@@ -10,10 +10,11 @@
 
 namespace fovea::stroke {
 
-/// The drawing of a hand that changes in an animation (style/animation.h).
-struct Boil {
-    double amount = 0.0;
-    int drawing = 0;
+/// What changes strokes from one drawing of an animation to the next (style/animation.h).
+struct Moment {
+    double boil = 0.0;     ///< how much of the hand is that of the boil's drawing
+    int boil_drawing = 0;  ///< its number in the cycle
+    double written = 1.0;  ///< share of each line, times that of its pen
 };
 
 /// What the strokes of a picture are made of. Borrowed.
@@ -29,7 +30,7 @@ struct Inking {
     const Paths* paths = nullptr;  ///< to which pens fix their marks; null: all paths change with the view
     double tolerance_px = 0.1;     ///< of what is drawn beside the run, as `simplify` takes it
     In<PenPaint> paints = {};      ///< one per pen; empty: none takes anything of surfaces
-    Boil boil = {};
+    Moment moment = {};
 };
 
 /// Throws std::invalid_argument where arrays do not fit together.
