@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Drawings on twos and threes: which frame's drawing a final render shows (native/fovea/style/animation.h). It is
-evaluated in the render's depsgraph, as neighboring frames are; where lines lie over another engine's render, that is of
+evaluated in the render's depsgraph, as neighboring frames are, so that below lines over its render another engine has
 the frame itself."""
 
 from contextlib import contextmanager

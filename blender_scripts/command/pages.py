@@ -174,11 +174,10 @@ ANIMATION = {  # scene with motion -> the lines of its picture
     "zoom": ("crease", "border"),
     "walk": ("contour",),
 }
-_SHARES = (0.25, 0.5, 0.75, 1.0)
 FOLLOWING_PEN = {"pen.width": 9.0, "pen.wobble": 14.0, "pen.wobble_length": 220.0}
 FOLLOWING = {  # what changes between drawings of a monkey -> settings of each frame of its picture
     "boil": [{"animation.boil": 1.0, "animation.boil_hold": 1}] * 4,
-    "written": [{"animation.written": share} for share in _SHARES],
+    "written": [{"animation.written": share} for share in (0.25, 0.5, 0.75, 1.0)],
 }
 STEPS = ("1_engine", "2_rendered", "3_style", "4_focus", "5_pull")  # pictures of first_drawing.md
 
