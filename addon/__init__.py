@@ -9,8 +9,9 @@ import importlib
 MODULES = (  # those with something to register; panels stand in this order
     *("ui.preferences", "style.style_groups", "focus.focus_settings", "render.properties"),
     *("style.style_operators", "style.line_set_operators", "ui.thumbnails", "ui.gallery", "ui.panels", "ui.hints"),
-    *("ui.style", "ui.lines", "ui.focus", "ui.effects", "ui.elision", "ui.paper", "ui.to_scale", "ui.method"),
-    *("ui.vectors", "ui.things", "ui.sidebar", "ui.lines_over", "ui.menu", "ui.viewport_settings", "ui.simplify"),
+    *("ui.style", "ui.lines", "ui.focus", "ui.effects", "ui.elision", "ui.animation", "ui.paper", "ui.to_scale"),
+    *("ui.method", "ui.vectors", "ui.things", "ui.sidebar", "ui.lines_over", "ui.menu", "ui.viewport_settings"),
+    "ui.simplify",
     *("scene.overrides", "render.engine", "render.near_frames", "render.whole_frames", "render.frame_check"),
     "render.sockets",
 )

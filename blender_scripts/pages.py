@@ -159,12 +159,26 @@ def section(name, path):
 def stroke(name, path):
     """(H, W) picture of a monkey by a pen that changes along its strokes, supersampled by 2."""
     open_model(pages.MONKEY[0])
+    return monkey(pages.STROKES_PEN | pages.STROKES[name], path, GREYS)
+
+
+def following(name, path):
+    """(H, W) drawings of a monkey that follow each other in an animation, side by side, supersampled by 2."""
+    open_model(pages.MONKEY[0])
+    shown = []
+    for frame, settings in enumerate(pages.FOLLOWING[name], start=1):
+        bpy.context.scene.frame_set(frame)
+        shown.append(monkey(pages.FOLLOWING_PEN | settings, path, FEW_GREYS))
+    return np.hstack(shown)
+
+
+def monkey(settings, path, grays):
+    """(H, W) picture of the monkey that is open in so many grays, with properties of its style, supersampled by 2."""
     width, height = quantities.frame_size(pages.STROKES_SIZE)
     words = [*pages.STROKES_WORDS, "--size", f"{2 * width}x{2 * height}", "-o", str(path)]
-    set_drawing(bpy.context.scene, draw_options.parse(words), pages.STROKES_PEN | pages.STROKES[name])
+    set_drawing(bpy.context.scene, draw_options.parse(words), settings)
     picture.render(bpy.context.scene, path)
-    gray = halved(sheet.gray(path))
-    return np.round(gray * (GREYS - 1)) / (GREYS - 1)
+    return np.round(halved(sheet.gray(path)) * (grays - 1)) / (grays - 1)
 
 
 def painted(name, path):
@@ -236,9 +250,13 @@ def moving(name, path):
     return np.round(made * (FEW_GREYS - 1)) / (FEW_GREYS - 1)
 
 
+def animation(name, path):
+    return following(name, path) if name in pages.FOLLOWING else moving(name, path)
+
+
 DRAWN_BY = {
     "lines": line, "sections": section, "way": stage, "focus": stage, "strokes": stroke, "painted": painted,
-    "situations": situation, "over": over_render, "transfers": plot, "grease_pencil": pencil, "animation": moving,
+    "situations": situation, "over": over_render, "transfers": plot, "grease_pencil": pencil, "animation": animation,
     "compare": overlay, "vectors": page, "farm": frames,
 }  # fmt: skip
 

@@ -7,7 +7,7 @@ from bpy.props import EnumProperty, IntProperty
 from .. import native, pipeline
 from ..scene import camera, pencils
 from ..scene.problem import CannotDraw
-from . import as_rendered, drawn_lines, mesh_bake, near_frames, pencil_bake, properties, reading, session
+from . import as_rendered, drawn_lines, holds, mesh_bake, near_frames, pencil_bake, properties, reading, session
 from .line_operators import OfRender, progress
 
 ENGINE = "FOVEA"
@@ -165,8 +165,11 @@ def _lines(engine, depsgraph, numbers, tell):
 
 def _lines_now(engine, depsgraph, reader, cancel):
     """(DrawnLines, Style, Read) of the frame that a final render's depsgraph is evaluated at."""
-    chosen, options = properties.style_drawn(depsgraph), pipeline.options()
-    near = session.lines_near(engine, depsgraph, properties.style_drawn, native.load().CpuBackend(), options, cancel)
-    read = reader.read(depsgraph, chosen, cancel=cancel)
-    view = camera.of_render(engine, depsgraph)
+    styled, backend, options = properties.style_drawn, native.load().CpuBackend(), pipeline.options()
+    animation = styled(depsgraph).animation
+    with holds.held(engine, depsgraph, animation):
+        chosen, view = styled(depsgraph), camera.of_render(engine, depsgraph)
+        near = session.lines_near(engine, depsgraph, styled, backend, options, cancel)
+        read = reader.read(depsgraph, chosen, cancel=cancel)
+    options = options.replace(boil_drawing=animation.boil_drawing(depsgraph.scene.frame_current))
     return drawn_lines.of(read, view, chosen, options, near, cancel), chosen, read

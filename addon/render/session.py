@@ -18,7 +18,7 @@ from ..scene import camera, followed, kept, scene, surfaces
 from ..scene.operator import TOLD
 from ..scene.problem import CannotDraw
 from ..style import freestyle
-from . import lines_scenes, methods, near_frames, passes, properties, reading, stage_labels
+from . import holds, lines_scenes, methods, near_frames, passes, properties, reading, stage_labels
 
 _log = logging.getLogger(__package__)
 readers = {}  # depsgraph mode -> Reader
@@ -128,32 +128,34 @@ def final(engine, depsgraph, make=draw, *, chosen=None, lines_alone=False, tell=
     None if the user canceled it. `make`: called with the arguments of `draw`. `chosen`: a Style in place of the scene's
     own. `lines_alone`: without colors and without passes but Lines. `tell(share, stage)` receives the progress; None:
     Blender's progress bar does."""
-    view, tell = camera.of_render(engine, depsgraph), tell or partial(_progress, engine)
-    core, settings = native.load(), followed.of(depsgraph.scene).fovea
+    core, settings, tell = native.load(), followed.of(depsgraph.scene).fovea, tell or partial(_progress, engine)
     styled = partial(properties.style_drawn, given=chosen)
-    chosen = styled(depsgraph)
+    animation = styled(depsgraph).animation
     backend, visibility = methods.choose(engine, settings, in_viewport=False)
     report_once(engine, engine.note)
     asked = {} if lines_alone else passes.options(depsgraph.view_layer, followed.follows(depsgraph.scene))
     lines_alone = lines_alone or followed.follows(depsgraph.scene)
     options = pipeline.options(visibility=visibility, **asked, **methods.quality(settings))
-    seen, cancel = scene.seen(core, view), core.Cancel()
+    cancel = core.Cancel()
 
-    def read():
+    def read(chosen):
         near = lines_near(engine, depsgraph, styled, backend, options, cancel)
         # After the neighboring frames, because cached surfaces have the positions of the frame gathered last.
         return near, gather(engine, depsgraph, chosen, with_colors=not lines_alone, cancel=cancel)
 
     with watched(engine, cancel), cancel:
         try:
-            start = time.perf_counter()
-            near, found = read()
-            if near:
-                content = near_frames.content(found, seen, chosen, options, backend)
-                if near_frames.changed(engine, depsgraph, content):
-                    near, found = read()
-                near = near_frames.with_itself(engine, depsgraph, near, content)
-            near_s = time.perf_counter() - start - found.seconds if near else 0.0
+            with holds.held(engine, depsgraph, animation):
+                chosen, seen = styled(depsgraph), scene.seen(core, camera.of_render(engine, depsgraph))
+                start = time.perf_counter()
+                near, found = read(chosen)
+                if near:
+                    content = near_frames.content(found, seen, chosen, options, backend)
+                    if near_frames.changed(engine, depsgraph, content):
+                        near, found = read(chosen)
+                    near = near_frames.with_itself(engine, depsgraph, near, content)
+                near_s = time.perf_counter() - start - found.seconds if near else 0.0
+            options = options.replace(boil_drawing=animation.boil_drawing(depsgraph.scene.frame_current))
             return found, make(found, seen, chosen, backend, options, tell, cancel, near), near_s
         except core.Cancelled:
             return None

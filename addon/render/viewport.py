@@ -130,7 +130,9 @@ class Viewport:
         scene = self.changes.read(engine, depsgraph, context.space_data)
         backend, visibility = methods.choose(engine, depsgraph.scene.fovea, in_viewport=True)
         session.report_once(engine, engine.note)
-        options = pipeline.options(visibility=visibility, **methods.quality(depsgraph.scene.fovea))
+        drawing = scene.style.animation.boil_drawing(depsgraph.scene.frame_current)
+        quality = methods.quality(depsgraph.scene.fovea)
+        options = pipeline.options(visibility=visibility, boil_drawing=drawing, **quality)
         key = (scene.version, seen(view), options, backend.name)
         if self.wanted is None or self.wanted.key != key:
             self.wanted = Wanted(key, view, scene, options, backend)

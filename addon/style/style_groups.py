@@ -146,7 +146,7 @@ def _line_set(kinds):
 
 
 def _style():
-    parts = (style.Paper, style.Color, style.Section, style.Elision, style.Effects, style.Distance)
+    parts = (style.Paper, style.Color, style.Section, style.Elision, style.Animation, style.Effects, style.Distance)
     return {
         **{part(cls): part_of(_groups[cls]) for cls in parts},
         "line_sets": members(_groups[style.LineSet]),
@@ -176,6 +176,7 @@ def _add_parts():
     _add_part(style.Color, "FoveaColor", _color())
     _add_part(style.Section, "FoveaSection")
     _add_part(style.Elision, "FoveaElision", _elision())
+    _add_part(style.Animation, "FoveaAnimation")
     _add_part(style.Effects, "FoveaEffects")
     _add_part(style.Distance, "FoveaDistance")
 

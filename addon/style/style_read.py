@@ -26,6 +26,7 @@ def read(tree, focus=None):
         color=_color(held.color),
         elision=_elision(held.elision),
         section=style.Section(**_plain(held.section, style.Section)),
+        animation=style.Animation(**_plain(held.animation, style.Animation)),
         kept=_kept(held),
     )
 

@@ -21,6 +21,7 @@ def write(tree, wanted):
         held.color.background = wanted.color.background
     _write_plain(held.elision, wanted.elision)
     _write_plain(held.section, wanted.section)
+    _write_plain(held.animation, wanted.animation)
     _write_transfers(tree, held.effects, wanted.effects)
     _write_transfers(tree, held.distance, wanted.distance)
     held.line_sets.clear()

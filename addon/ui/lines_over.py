@@ -6,6 +6,7 @@ import bpy
 
 from ..render import lines_over, lines_over_check, lines_scenes
 from ..scene import followed
+from .animation import RENDER_PT_fovea_animation
 from .common import ENGINE, FoveaPanel
 from .effects import RENDER_PT_fovea_effects
 from .elision import RENDER_PT_fovea_elision
@@ -16,7 +17,7 @@ from .vectors import RENDER_PT_fovea_vectors
 
 BELOW = (
     *(RENDER_PT_fovea_style, RENDER_PT_fovea_lines, RENDER_PT_fovea_focus, RENDER_PT_fovea_effects),
-    *(RENDER_PT_fovea_elision, RENDER_PT_fovea_vectors),
+    *(RENDER_PT_fovea_elision, RENDER_PT_fovea_animation, RENDER_PT_fovea_vectors),
 )
 _registered = []
 

@@ -174,6 +174,11 @@ ANIMATION = {  # scene with motion -> the lines of its picture
     "zoom": ("crease", "border"),
     "walk": ("contour",),
 }
+FOLLOWING_PEN = {"pen.width": 9.0, "pen.wobble": 14.0, "pen.wobble_length": 220.0}
+FOLLOWING = {  # what changes between drawings of a monkey -> settings of each frame of its picture
+    "boil": [{"animation.boil": 1.0, "animation.boil_hold": 1}] * 4,
+    "written": [{"animation.written": share} for share in (0.25, 0.5, 0.75, 1.0)],
+}
 STEPS = ("1_engine", "2_rendered", "3_style", "4_focus", "5_pull")  # pictures of first_drawing.md
 
 
@@ -192,7 +197,7 @@ COMPARE = {"overlay": Pair(*BUNNY, (("contour", "suggestive_contour"), ("contour
 GROUPS = {
     "lines": LINES, "sections": SECTIONS, "way": WAY, "focus": FOCUS, "strokes": STROKES, "painted": PAINTED,
     "situations": SITUATIONS, "over": OVER, "transfers": TRANSFERS, "grease_pencil": GREASE_PENCIL,
-    "animation": ANIMATION, "compare": COMPARE, "vectors": VECTORS, "farm": FARM,
+    "animation": ANIMATION | FOLLOWING, "compare": COMPARE, "vectors": VECTORS, "farm": FARM,
 }  # fmt: skip
 
 

@@ -17,6 +17,7 @@ RECORDS = {  # first cell of a table of KEYS -> the record whose members it list
     "a place in `points`": "FocusPlace",
     "`effects`": "Effects",
     "`distance`": "Distance",
+    "`animation`": "Animation",
     "a transfer function": "Transfer",
     "a line set in `line_sets`": "LineSet",
     "an entry of `hidden`": "Hidden",

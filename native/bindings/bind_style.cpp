@@ -61,6 +61,10 @@ void bind_style(py::module_& parent) {
     bind_part<style::Section>(m, "Section", "The inside of what the scene's section plane cuts.");
     bind_part<style::Elision>(m, "Elision", "Which of the lines that crowd each other stay.")
         .def("ranks", &style::Elision::ranks, "Whether something counts for the priority of lines.");
+    bind_part<style::Animation>(m, "Animation", "How drawings follow each other in an animation.")
+        .def("held", &style::Animation::held, py::arg("frame"), "The frame whose drawing stands at a frame.")
+        .def("boil_drawing", &style::Animation::boil_drawing, py::arg("frame"),
+             "The number of the boil's drawing at a frame, in its cycle.");
     bind_part<style::Effects>(m, "Effects", "What answers to focus.");
     bind_part<style::Distance>(m, "Distance", "What answers to the distance from the camera.");
     bind_part<style::FocusPlace>(m, "FocusPlace", "A place to look at.");

@@ -143,6 +143,17 @@ def test_strokes_with_what_is_painted(visibility, away):
     assert drawn[..., 1].max() > 0.3
 
 
+def test_strokes_that_boil_and_are_written_by_half():
+    pen = style.Pen(width=6, wobble=8, wobble_length=60)
+    boiling, pictures = style.Animation(boil=0.7, written=0.5), []
+    for drawing in range(2):
+        chosen = lines_by(pen).replace(animation=boiling)
+        drawn, off, _ = on_both(room(), chosen, boil_drawing=drawing)
+        assert off.mean() < 1e-3 and (off > 0.02).mean() < 1e-3 and drawn[..., 3].max() > 0.9
+        pictures.append(drawn)
+    assert np.abs(pictures[0] - pictures[1]).max() > 0.3
+
+
 def test_no_strokes():
     drawn, off, strokes = on_both(scene_of([]), lines_by(style.Pen()))
     assert len(strokes) == 0 and not drawn.any() and not off.any()

@@ -52,6 +52,42 @@ TEST(Wobble, OtherSeedsAreOtherHands) {
     EXPECT_EQ(still.size(), 2u);
 }
 
+/// A line as a drawing of a boil has it.
+CenterLine boiled(double amount, int drawing) {
+    CenterLine line = straight(-200, 200);
+    wobble(line, 4.0, 30.0, Hand(5, amount, drawing));
+    return line;
+}
+
+double largest_change(const CenterLine& a, const CenterLine& b) {
+    double largest = 0.0;
+    for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, glm::distance(a[i].px, b[i].px));
+    return largest;
+}
+
+TEST(Boil, TheFirstDrawingIsAsWithoutItAndEachOtherOneIsItsOwn) {
+    CenterLine still = straight(-200, 200);
+    wobble(still, 4.0, 30.0, 5);
+    EXPECT_EQ(largest_change(boiled(1.0, 0), still), 0.0);
+    EXPECT_EQ(largest_change(boiled(1.0, 2), boiled(1.0, 2)), 0.0);
+    for (int k = 0; k < 4; ++k)
+        for (int other = 0; other < k; ++other) EXPECT_GT(largest_change(boiled(1.0, k), boiled(1.0, other)), 1.0);
+}
+
+TEST(Boil, StraysByItsAmountAndNoFartherThanTheWobble) {
+    const CenterLine still = boiled(0.0, 1);
+    double before = 0.0;
+    for (const double amount : {0.1, 0.3, 0.6}) {
+        const CenterLine line = boiled(amount, 1);
+        const double change = largest_change(line, still);
+        EXPECT_GT(change, before) << amount;
+        before = change;
+        for (const CenterPoint& p : line) EXPECT_LE(std::abs(p.px.y - 10.0), 4.0);
+    }
+    EXPECT_EQ(boiled(1.0, 1).front().px, still.front().px) << "ends stay";
+    EXPECT_EQ(boiled(1.0, 1).back().px, still.back().px);
+}
+
 TEST(Pressure, ThinsEndsAndLeavesTheMiddle) {
     CenterLine line = straight(-100, 100);
     press(line, 1.0f);

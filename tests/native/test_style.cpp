@@ -167,6 +167,7 @@ TEST(Style, EveryMemberOfARecordHasANameOfItsOwnAndADefaultThatItMayHave) {
     sound(Paper());
     sound(Color());
     sound(Elision());
+    sound(Animation());
     sound(Transfer());
     sound(Effects());
     sound(Distance());

@@ -213,7 +213,7 @@ def test_the_example_of_a_style_is_one_and_all_its_keys_are_known():
 def test_every_key_of_a_style_is_in_a_table():
     whole = style.Style(line_sets=(style.LineSet(hidden=(style.Hidden(),)),), focus=style.Focus(model="image"))
     told = {cells[0].strip("`") for cells in rows(KEYS)}
-    parts = {"schema", "line_sets", "paper", "color", "elision", "focus", "effects", "distance"}
+    parts = {"schema", "line_sets", "paper", "color", "elision", "focus", "effects", "distance", "animation"}
     assert {"granulation", "spacing", "from", "at"} <= told
     assert set(keys(json.loads(style.dump(whole)))) - told <= parts
     assert parts <= set(re.findall(r"`(\w+)`", KEYS))

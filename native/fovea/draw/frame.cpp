@@ -197,6 +197,8 @@ Inking Frame::inking(In<float> opacity) const {
     Inking made{*clipped,          *drawn,    pen_of_run_, paths->strength, pens.pens, samples,
                 emphasis(opacity), paths->id, paths.get()};
     made.paints = pen_paints_.of_pens();
+    const style::Animation& animation = job.style.animation;
+    made.moment = {animation.boil, job.options.boil_drawing, animation.written};
     return made;
 }
 

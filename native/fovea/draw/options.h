@@ -48,7 +48,8 @@ struct Options {
     bool with_line_sets = false;
     bool with_line_depth = false;
     bool with_line_id = false;
-    int matte_ranks = 0;  ///< objects per pixel that a Cryptomatte tells apart; 0: none is made
+    int boil_drawing = 0;  ///< number of the drawing in the cycle of the style's boil
+    int matte_ranks = 0;   ///< objects per pixel that a Cryptomatte tells apart; 0: none is made
 
     bool operator==(const Options&) const = default;
 
@@ -78,6 +79,7 @@ struct Options {
         style::Field{"with_line_sets", &Options::with_line_sets},
         style::Field{"with_line_depth", &Options::with_line_depth},
         style::Field{"with_line_id", &Options::with_line_id},
+        style::Field{"boil_drawing", &Options::boil_drawing, "", "", style::number(0, 1000, 12)},
         style::Field{"matte_ranks", &Options::matte_ranks, "", "", style::number(0, 16, 16)}};
 };
 

@@ -7,7 +7,6 @@
 #include <fovea/base/elementary.h>
 #include <fovea/base/view.h>
 #include <fovea/stroke/anchor.h>
-#include <fovea/stroke/noise.h>
 
 namespace fovea::stroke {
 namespace {
@@ -157,7 +156,7 @@ vec3 Modifiers::at(const CenterLine& line, const Course& course, const CenterPoi
         taken = focus::both(taken, distance_.share * float(std::clamp(share, 0.0, 1.0)));
     }
     if (noise_.any) {
-        const double noise = 0.5 + 0.5 * noise_along(point, wave_px_, mixed(course.seed ^ stream));
+        const double noise = 0.5 + 0.5 * noise_along(point, wave_px_, course.hand.stream(stream));
         taken = focus::both(taken, noise_.share * float(noise));
     }
     if (paint_.any()) {

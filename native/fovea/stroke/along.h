@@ -5,6 +5,7 @@
 
 #include <fovea/focus/transfer.h>
 #include <fovea/stroke/center_line.h>
+#include <fovea/stroke/noise.h>
 
 namespace fovea::stroke {
 
@@ -13,8 +14,7 @@ struct Course {
     const ClippedPaths& clipped;
     Index piece;
     bool closed;
-    /// Of its noise.
-    std::uint64_t seed;
+    Hand hand;  ///< of its noise
 };
 
 /// The modifiers of a pen. Each takes away a fraction of width and of opacity, and mixes the color with the pen's

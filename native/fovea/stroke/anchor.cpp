@@ -6,12 +6,18 @@
 
 #include <fovea/base/view.h>
 #include <fovea/stroke/fragment.h>
-#include <fovea/stroke/noise.h>
 
 namespace fovea::stroke {
 namespace {
 
 constexpr double step_px = 4.0;  // between points in which places are exact, as perspective bends them
+
+double noise_of_seed(const CenterPoint& point, double length_px, std::uint64_t seed) {
+    if (!(point.whole_px > 0.0)) return two_octaves(point.arc / length_px, seed);
+    const vec2 octave = formulas::Stroke{}.stroke_octave(float(point.whole_px), float(length_px));
+    const double along = point.along * octave.x;
+    return mixed_noises(two_octaves(0.5 * along, seed), two_octaves(along, seed), octave.y);
+}
 
 }  // namespace
 
@@ -52,12 +58,9 @@ void PathAnchor::place(CenterPoint& point) const {
     point.along = rest_at(inside) / rest_length_ - 0.5 + (point.arc - inside) / point.whole_px;
 }
 
-double noise_along(const CenterPoint& point, double length_px, std::uint64_t seed) {
-    if (!(point.whole_px > 0.0)) return two_octaves(point.arc / length_px, seed);
-    const vec2 octave = formulas::Stroke{}.stroke_octave(float(point.whole_px), float(length_px));
-    const double along = point.along * octave.x, finer = octave.y;
-    const double blend = glm::mix(two_octaves(0.5 * along, seed), two_octaves(along, seed), finer);
-    return std::clamp(blend / std::sqrt(finer * finer + (1.0 - finer) * (1.0 - finer)), -1.0, 1.0);
+double noise_along(const CenterPoint& point, double length_px, const Hand& hand) {
+    const double own = noise_of_seed(point, length_px, hand.own);
+    return hand.boil > 0.0 ? mixed_noises(own, noise_of_seed(point, length_px, hand.other), hand.boil) : own;
 }
 
 }  // namespace fovea::stroke

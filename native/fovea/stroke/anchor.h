@@ -5,6 +5,7 @@
 #include <fovea/path/paths.h>
 #include <fovea/project/clipped_paths.h>
 #include <fovea/stroke/center_line.h>
+#include <fovea/stroke/noise.h>
 
 namespace fovea::stroke {
 
@@ -31,6 +32,6 @@ class PathAnchor {
 
 /// Smooth noise in [-1, 1] at a point, in waves of about `length_px`: fixed to the path where marks are, by two blended
 /// octaves as a texture is (shaders/shared/stroke.glsl), else by its arc length in the image.
-double noise_along(const CenterPoint& point, double length_px, std::uint64_t seed);
+double noise_along(const CenterPoint& point, double length_px, const Hand& hand);
 
 }  // namespace fovea::stroke

@@ -137,6 +137,17 @@ void lengthen(CenterLine& line, double before_px, double after_px) {
     if (before_px > 0.0) line.insert(line.begin(), first);
 }
 
+void cut_off(CenterLine& line, double arc) {
+    std::size_t kept = std::size_t(std::ranges::lower_bound(line, arc, {}, &CenterPoint::arc) - line.begin());
+    if (kept == line.size()) return;
+    if (kept > 0 && arc - line[kept - 1].arc > shortest) {
+        const CenterPoint &a = line[kept - 1], &b = line[kept];
+        line[kept] = mix(a, b, (arc - a.arc) / (b.arc - a.arc));
+        ++kept;
+    }
+    line.resize(kept);
+}
+
 void insert_points(CenterLine& line, In<double> arcs, double near_px) {
     CenterLine out{line.front()};
     std::size_t next = 0;

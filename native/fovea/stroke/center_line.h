@@ -45,6 +45,9 @@ void cut(const ClippedPaths& clipped, In<float> strength, Index piece, double st
 /// Extends a line straight beyond its ends by these lengths (0 or less: not at all).
 void lengthen(CenterLine& line, double before_px, double after_px);
 
+/// Leaves what lies before an arc length; fewer than two points where nothing does.
+void cut_off(CenterLine& line, double arc);
+
 /// Smooths zigzags with steps below 1.5 px (points move by at most .15 px), then drops points within `tolerance_px` of
 /// the segment between the remaining ones, and coincident points. Ends stay. A line without length becomes fewer than
 /// two points.

@@ -15,8 +15,8 @@ constexpr double whole_error = 1e-3;  // px: tolerance for a run that covers its
 
 /// The pens of runs, and the places of strength.
 void check_pens(const Inking& inking) {
-    const auto& [clipped, runs, pen_of_run, strength, pens, visibility, emphasis, ids, paths, tolerance, paints] =
-        inking;
+    const auto& [clipped, runs, pen_of_run, strength, pens, visibility, emphasis, ids, paths, tolerance, paints,
+                 moment] = inking;
     const std::size_t count = runs.size();
     check(runs.start_px.size() == count && runs.end_px.size() == count && runs.invisibility.size() == count,
           "runs: piece, start_px, end_px and invisibility must have the same length");
@@ -51,6 +51,18 @@ bool is_anchored(const Pen& pen) { return pen.look.texture_anchor == Anchor::pat
 /// Length of the marks of a pen.
 double window_px(const Pen& pen) { return pen.texture == none ? pen.look.wobble_length : pen.texture_length_px; }
 
+/// Leaves what is written of a line: `share` of its whole path from the start, with what goes beyond its ends.
+void write(DrawnLine& drawn, double path_length_px, double share) {
+    CenterLine& line = drawn.points;
+    if (share >= 1.0 || line.size() < 2) return;
+    const double start = std::min(line.front().arc, -0.5 * path_length_px);
+    const double end = std::max(line.back().arc, 0.5 * path_length_px);
+    const double written = glm::mix(start, end, share);
+    if (written >= line.back().arc) return;
+    drawn.closed = false;
+    cut_off(line, written);
+}
+
 }  // namespace
 
 void check_inking(const Inking& inking) {
@@ -71,8 +83,8 @@ LineShaper::LineShaper(const Inking& inking) : inking_(inking) {
 }
 
 bool LineShaper::shape(Index run, DrawnLine& out) const {
-    const auto& [clipped, runs, pen_of_run, strength, pens, visibility, emphasis, ids, paths, tolerance, paints] =
-        inking_;
+    const auto& [clipped, runs, pen_of_run, strength, pens, visibility, emphasis, ids, paths, tolerance, paints,
+                 moment] = inking_;
     CenterLine& line = out.points;
     const Index piece = runs.piece[run], pen = pen_of_run[run];
     if (clipped.pieces.size(piece) < 2) return false;
@@ -95,18 +107,20 @@ bool LineShaper::shape(Index run, DrawnLine& out) const {
     const Index path = clipped.path[piece];
     const style::Pen& look = pens[pen].look;
     const std::uint64_t seed = (ids.empty() ? path : ids[path]) + static_cast<Index>(look.seed);
+    const Hand hand(seed, moment.boil, moment.boil_drawing);
     const Index away = pens[pen].away == none ? pen : pens[pen].away;
     if (is_anchored(pens[pen]) || is_anchored(pens[away]))
         PathAnchor(clipped, paths, piece, window_px(pens[pen])).place(line);
-    wobble(line, float(look.wobble), float(look.wobble_length), seed);
+    wobble(line, float(look.wobble), float(look.wobble_length), hand);
     const int free = clipped.free_ends[piece];
     const PenPair pair{pens[pen], pens[away]};
     stroke::shape(line, pair, {(free & free_start) && from_first, (free & free_end) && to_last});
     press(line, float(look.pressure));
-    const Course course{clipped, piece, out.closed, seed};
+    const Course course{clipped, piece, out.closed, hand};
     modify(line, pair, modifiers_[pen], modifiers_[away], course);
     fade_ends(line, fade);
     color(line, modifiers_[pen], modifiers_[away], course);
+    write(out, clipped.path_length_px[piece], moment.written * look.written);
     return line.size() >= 2;
 }
 

@@ -10,6 +10,13 @@
 
 namespace fovea::stroke {
 
+/// What changes strokes from one drawing of an animation to the next (style/animation.h).
+struct Moment {
+    double boil = 0.0;     ///< how much of the hand is that of the boil's drawing
+    int boil_drawing = 0;  ///< its number in the cycle
+    double written = 1.0;  ///< share of each line, times that of its pen
+};
+
 /// What the strokes of a picture are made of. Borrowed.
 struct Inking {
     const ClippedPaths& clipped;
@@ -23,6 +30,7 @@ struct Inking {
     const Paths* paths = nullptr;  ///< to which pens fix their marks; null: all paths change with the view
     double tolerance_px = 0.1;     ///< of what is drawn beside the run, as `simplify` takes it
     In<PenPaint> paints = {};      ///< one per pen; empty: none takes anything of surfaces
+    Moment moment = {};
 };
 
 /// Throws std::invalid_argument where arrays do not fit together.

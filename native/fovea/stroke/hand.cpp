@@ -22,13 +22,13 @@ dvec2 normal_at(const CenterLine& line, std::size_t i) {
 
 }  // namespace
 
-void wobble(CenterLine& line, double amount_px, double length_px, std::uint64_t seed) {
+void wobble(CenterLine& line, double amount_px, double length_px, const Hand& hand) {
     if (line.size() < 2 || amount_px <= 0.0 || length_px <= 0.0) return;
     insert_points(line, multiples(line, std::max(length_px / steps_per_wave, 1.0)));
     const double start = line.front().arc, end = line.back().arc;
     std::vector<dvec2> shift(line.size());
     for (std::size_t i = 0; i < line.size(); ++i) {
-        const double way = noise_along(line[i], length_px, seed);
+        const double way = noise_along(line[i], length_px, hand);
         const double inside = std::clamp(std::min(line[i].arc - start, end - line[i].arc) / length_px, 0.0, 1.0);
         shift[i] = normal_at(line, i) * (amount_px * way * inside);
     }

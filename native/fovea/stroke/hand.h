@@ -2,16 +2,15 @@
 // Positional jitter and pressure along a center line.
 #pragma once
 
-#include <cstdint>
-
 #include <fovea/stroke/center_line.h>
+#include <fovea/stroke/noise.h>
 
 namespace fovea::stroke {
 
 /// Displaces a line sideways by smooth noise of its arc length: at most `amount_px`, with wavelengths of about
-/// `length_px`. The noise depends on `seed` and is fixed to the path (noise_along), whichever parts of it are hidden.
+/// `length_px`. The noise is that of `hand` and is fixed to the path (noise_along), whichever parts of it are hidden.
 /// Ends (of a closed line: the seam) do not move, so that corners of the drawing stay closed. Before `shape`.
-void wobble(CenterLine& line, double amount_px, double length_px, std::uint64_t seed);
+void wobble(CenterLine& line, double amount_px, double length_px, const Hand& hand);
 
 /// Pressure: reduces the width by the fraction `amount` in [0,1] at the ends of a line, by nothing in the middle. After
 /// `shape`.

@@ -2,6 +2,7 @@
 // Noise along strokes: the same on every machine.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 
@@ -31,5 +32,30 @@ inline double noise(double x, std::uint64_t seed) {
 
 /// Two octaves of smooth noise in [-1,1], the second half as long and half as high.
 inline double two_octaves(double x, std::uint64_t seed) { return (2.0 * noise(x, seed) + noise(2.0 * x, ~seed)) / 3.0; }
+
+/// Mix of two noises in [-1,1] that do not depend on each other, which strays as far as each of them.
+inline double mixed_noises(double a, double b, double share) {
+    const double spread = std::sqrt(share * share + (1.0 - share) * (1.0 - share));
+    return std::clamp(glm::mix(a, b, share) / spread, -1.0, 1.0);
+}
+
+/// Seeds of the noise along a line: that of its own, and that of another drawing of its boil with its share.
+struct Hand {
+    std::uint64_t own, other = 0;
+    double boil = 0.0;
+
+    Hand(std::uint64_t seed) : own(seed) {}
+    /// The hand of a drawing of the boil. The first, 0, is the line's own.
+    Hand(std::uint64_t seed, double amount, int drawing)
+        : own(seed), other(mixed(seed ^ mixed(std::uint64_t(drawing)))), boil(drawing > 0 ? amount : 0.0) {}
+
+    /// The same hand with noise that does not depend on this one.
+    Hand stream(std::uint64_t number) const {
+        Hand hand = *this;
+        hand.own = mixed(own ^ number);
+        hand.other = mixed(other ^ number);
+        return hand;
+    }
+};
 
 }  // namespace fovea::stroke

@@ -42,6 +42,7 @@ struct Pen {
     double length_scale = 1.0;
     Cap cap = Cap::round;
     double taper = 0.0;
+    double written = 1.0;
     double strength_width = 0.0;
     double wobble = 0.0;
     double wobble_length = 60.0;
@@ -82,6 +83,7 @@ struct Pen {
         Field{"cap", &Pen::cap, "Caps", "Shape of the ends of the strokes", {}, ends},
         Field{"taper", &Pen::taper, "Taper", "Length of the thinning ends of the strokes", reference(10000.0, 200.0),
               ends},
+        Field{"written", &Pen::written, "Written", "How much of each line is drawn, from its start", share, ends},
         Field{"strength_width", &Pen::strength_width, "Fade by Thinning", "How far weak lines are thin instead of pale",
               share, breadth},
         Field{"wobble", &Pen::wobble, "Wobble", "How far the strokes stray from their lines", reference(100.0, 10.0),

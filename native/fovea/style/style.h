@@ -3,6 +3,7 @@
 // reference pixels (image height / 1080) unless stated otherwise, colors scene-linear.
 #pragma once
 
+#include <fovea/style/animation.h>
 #include <fovea/style/focus.h>
 #include <fovea/style/ground.h>
 #include <fovea/style/json_value.h>
@@ -34,19 +35,17 @@ struct Style {
     Color color;
     Elision elision;
     Section section;
+    Animation animation;
     std::vector<Unknown> kept;  ///< unknown values of its file, written back unchanged
 
     bool operator==(const Style&) const = default;
 
-    static constexpr std::tuple fields{Field{"paper", &Style::paper},
-                                       Field{"line_sets", &Style::line_sets},
-                                       Field{"focus", &Style::focus},
-                                       Field{"effects", &Style::effects},
-                                       Field{"distance", &Style::distance},
-                                       Field{"color", &Style::color},
-                                       Field{"elision", &Style::elision},
-                                       Field{"section", &Style::section},
-                                       Field{"kept", &Style::kept, "", "", {}, "", nullptr}};
+    static constexpr std::tuple fields{
+        Field{"paper", &Style::paper},         Field{"line_sets", &Style::line_sets},
+        Field{"focus", &Style::focus},         Field{"effects", &Style::effects},
+        Field{"distance", &Style::distance},   Field{"color", &Style::color},
+        Field{"elision", &Style::elision},     Field{"section", &Style::section},
+        Field{"animation", &Style::animation}, Field{"kept", &Style::kept, "", "", {}, "", nullptr}};
 
     /// Whether there is a color layer.
     bool has_color() const { return color.shading != Shading::plain && effects.colors != Mode::none; }

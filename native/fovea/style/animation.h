@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How drawings follow each other in an animation: on ones or twos, the hand's boil, lines that write themselves.
+#pragma once
+
+#include <fovea/style/field.h>
+
+namespace fovea::style {
+
+struct Animation {
+    int hold = 1;
+    double boil = 0.0;
+    int boil_hold = 2;
+    int boil_cycle = 3;
+    int start_frame = 1;
+    double written = 1.0;
+
+    bool operator==(const Animation&) const = default;
+    /// The frame whose drawing stands at a frame.
+    int held(int frame) const;
+    /// The number of the boil's drawing at a frame, in its cycle; the first, 0, is drawn as without boil.
+    int boil_drawing(int frame) const;
+
+    static constexpr Domain frames = number(1, 1000, 12);
+    static constexpr std::tuple fields{
+        Field{"hold", &Animation::hold, "Frames per Drawing",
+              "For how many frames renders hold a drawing: 1 is on ones, 2 on twos; another camera ends it", frames},
+        Field{"boil", &Animation::boil, "Boil",
+              "How much the wobble and the noise of strokes change from one drawing of the boil to the next", share},
+        Field{"boil_hold", &Animation::boil_hold, "Frames per Boil",
+              "For how many frames a drawing of the boil stands, also where a drawing is held", frames},
+        Field{"boil_cycle", &Animation::boil_cycle, "Boil Cycle",
+              "Number of drawings after which the boil begins again", number(2, 1000, 12)},
+        Field{"start_frame", &Animation::start_frame, "Start Frame",
+              "Frame from which drawings are counted, whichever frames are rendered",
+              number(-1048574, 1048574, 1048574)},
+        Field{"written", &Animation::written, "Written",
+              "How much of each line is drawn, from its start: keyed from 0 to 1, lines write themselves", share}};
+};
+
+}  // namespace fovea::style
