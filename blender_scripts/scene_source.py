@@ -28,13 +28,12 @@ def import_model(path):
     """Imports a model with Blender's own importer, up axis and scale as it sets them. ValueError if this Blender has
     none for such files, or it imports nothing."""
     suffix = model_files.suffix(path)
-    importers = filter(None, map(operator, model_files.IMPORTERS[suffix]))
-    importer = next(importers, None)
-    if not importer:
+    name = next(filter(operator, model_files.IMPORTERS[suffix]), None)
+    if not name:
         raise ValueError(f"{path.name}: this Blender imports no {suffix} files")
     refused = f"{path.name}: Blender cannot import this file"
     try:
-        done = importer(filepath=str(path)) == {"FINISHED"}
+        done = operator(name)(filepath=str(path), **model_files.OPTIONS.get(name, {})) == {"FINISHED"}
     except RuntimeError as error:  # with a traceback where the importer is written in Python
         raise ValueError(f"{refused}: {ending.sentence(str(error)).rpartition('; ')[2]}") from error
     if not done:

@@ -18,6 +18,8 @@ IMPORTERS = {
     ".abc": ("wm.alembic_import",),
     ".svg": ("import_curve.svg",),
 }
+# Operator -> its options. Files of glTF have a vertex for each texture coordinate: seams are no ends of surfaces.
+OPTIONS = {"import_scene.gltf": {"merge_vertices": True}}
 
 
 def is_model(spec):

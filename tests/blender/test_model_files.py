@@ -62,6 +62,18 @@ def test_a_model_stands_where_its_scene_had_it(tmp_path, suffix):
     assert np.allclose(bounds(), made, atol=1e-4)
 
 
+def test_texture_seams_of_gltf_are_no_borders(tmp_path):
+    path = tmp_path / "ball.glb"
+    bpy.ops.wm.read_homefile(use_empty=True)
+    bpy.ops.mesh.primitive_uv_sphere_add(segments=16, ring_count=8)
+    bpy.ops.object.shade_smooth()
+    assert bpy.ops.export_scene.gltf(filepath=str(path)) == {"FINISHED"}
+    scene_source.open_scene(str(path))
+    (ball,) = bpy.data.meshes
+    faces_at = np.bincount([corner.edge_index for corner in ball.loops], minlength=len(ball.edges))
+    assert len(ball.edges) and (faces_at == 2).all()
+
+
 @pytest.mark.parametrize("name", ["brick.glb", "BRICK.STL"])
 def test_a_model_is_drawn(tmp_path, name):
     path, picture = tmp_path / name, tmp_path / "brick.png"
