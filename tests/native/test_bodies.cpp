@@ -4,7 +4,7 @@
 
 #include <fovea/scene/bodies.h>
 
-#include "meshes.h"
+#include "intersections.h"
 
 using namespace fovea;
 using namespace fovea::draw;
@@ -39,6 +39,25 @@ TEST(Bodies, AreToldApart) {
     EXPECT_NE(found->of_facet.front(), found->of_facet.back());
     EXPECT_TRUE(found->outward[0] && !found->outward[1] && !found->all_outward);
     EXPECT_TRUE(all_outward(with_another(box(), tetrahedron())));
+}
+
+TEST(Bodies, GoOnWhereTheirVerticesAreSplit) {
+    const auto found =
+        bodies_of(*intersections::split(with_another(box(), inside_out(box(vec3(2), vec3(3))))).surface());
+    ASSERT_EQ(found->solid.size(), 2u) << "each face has vertices of its own";
+    EXPECT_TRUE(found->outward[0] && found->solid[1] && !found->outward[1]);
+    EXPECT_FALSE(all_outward(intersections::split(grid(4)))) << "open, with or without seams";
+    EXPECT_FALSE(all_outward(intersections::split(moebius(12))));
+    Mesh pyramid("pyramid", {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}, {0, 0, 1}, {0, 0, 1}});
+    for (int i = 0; i < 4; ++i) pyramid.add_polygon({i, (i + 1) % 4, 4, 5});
+    pyramid.add_polygon({3, 2, 1, 0});
+    EXPECT_TRUE(all_outward(intersections::split(pyramid))) << "edges of no length are no gaps";
+    Mesh lidless = intersections::split(box());
+    lidless.occluding = {1, 1, 1, 1, 1, 0};
+    EXPECT_FALSE(all_outward(lidless));
+    Mesh moved = intersections::split(box());
+    moved.positions[0].x -= 1e-3f;
+    EXPECT_FALSE(all_outward(moved)) << "a gap, however narrow";
 }
 
 TEST(Bodies, HideWithAllOfTheirFacets) {

@@ -192,6 +192,7 @@ TEST(Section, RaysAndTheRasterizerSeeTheSame) {
 TEST(SectionInside, HasTheAreaOfWhatIsCut) {
     EXPECT_NEAR(area_of({put(box(), dmat4(1.0), 1)}, at_quarter), 4.0, 1e-5);
     EXPECT_NEAR(area_of({put(box(), scaled({-1, 1, 1}), 1)}, at_quarter), 4.0, 1e-5) << "mirrored";
+    EXPECT_NEAR(area_of({put(intersections::split(box()), dmat4(1.0), 1)}, at_quarter), 4.0, 1e-5) << "split";
     const double sector = 64 * 0.5 * std::sin(2 * std::numbers::pi / 64);
     EXPECT_NEAR(area_of({put(torus(2, 0.5, 64, 32), dmat4(1.0), 1)}, {0, 0, 1, 0}), (6.25 - 2.25) * sector, 1e-4);
     EXPECT_EQ(area_of({put(grid(3, 4), turned(1.0, {1, 0, 0}), 1)}, at_quarter), 0.0) << "an open surface has none";

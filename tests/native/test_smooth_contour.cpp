@@ -28,6 +28,33 @@ CurveChains contour_of(const Surface& surface, double end_at_cusps) {
     return curves_of(rule_of<CurveRule>("smooth_contour"), seen, {end_at_cusps});
 }
 
+/// Half a sphere of radius 1 above z = 0, of 4 n segments and n rings, with a wall as far in as a radius `inside`.
+meshes::Mesh bell(int n, float inside) {
+    std::vector<vec3> points;
+    for (const float radius : {1.0f, inside})
+        for (int ring = 0; ring < n; ++ring)
+            for (int i = 0; i < 4 * n; ++i) {
+                const double up = M_PI / 2 * ring / n, around = M_PI / 2 * i / n;
+                points.push_back(radius *
+                                 vec3(std::cos(up) * std::cos(around), std::cos(up) * std::sin(around), std::sin(up)));
+            }
+    points.insert(points.end(), {vec3(0, 0, 1), vec3(0, 0, inside)});
+    meshes::Mesh mesh("bell", points);
+    const int within = 4 * n * n;
+    for (int i = 0; i < 4 * n; ++i) {
+        const int j = (i + 1) % (4 * n);
+        mesh.add_polygon({j, i, within + i, within + j});
+        for (int ring = 0; ring < n; ++ring) {
+            const bool top = ring + 1 == n;
+            const int a = 4 * n * ring + i, b = 4 * n * ring + j, c = b + 4 * n, d = a + 4 * n;
+            mesh.add_polygon(top ? std::vector{a, b, 2 * within} : std::vector{a, b, c, d});
+            mesh.add_polygon(top ? std::vector{within + b, within + a, 2 * within + 1}
+                                 : std::vector{within + b, within + a, within + d, within + c});
+        }
+    }
+    return mesh;
+}
+
 /// Kinds of all segments of a drawing, and the triangles of each line set's curves.
 struct Drawn {
     std::map<Kinds, int> kinds;
@@ -168,6 +195,23 @@ TEST(SmoothSilhouette, IsTheOuterBoundaryAndNothingTwice) {
     std::set<Index> both(outer.begin(), outer.end());
     both.insert(inner.begin(), inner.end());
     for (Index t : contour.triangles.at(0)) EXPECT_TRUE(both.count(t)) << "missing";
+}
+
+TEST(SmoothSilhouette, TheInsideOfAThickBellHasNone) {
+    const meshes::Mesh mesh = bell(4, 0.8f);  // as coarse as the wall is thick
+    for (const double height : {1.0, 2.5, 4.0}) {
+        const Drawing drawing({place(mesh)}, perspective({1, -5, height}, dvec3(0)), {line_set({"smooth_silhouette"})});
+        const auto outer = Drawn(drawing).triangles[0];
+        EXPECT_GT(outer.size(), 10u) << height;
+        const Surface& surface = *drawing.scene.placements[0].surface;
+        for (const Index t : outer) {
+            const auto is_inside = [&](int k) {
+                const vec3& p = surface.positions[surface.triangles[t][k]];
+                return p.z > 0.0f && glm::length(p) < 0.9f;  // above the rim
+            };
+            EXPECT_FALSE(is_inside(0) && is_inside(1) && is_inside(2)) << height;
+        }
+    }
 }
 
 TEST(SmoothSilhouette, TheContourGoesOnWhereItEnds) {

@@ -22,10 +22,9 @@ struct SmoothContour {
 const Parameters<SmoothContour> parameters{{&SmoothContour::end_at_cusps, "end_at_cusps", "End at Cusps", true,
                                             "Leave out what a closed surface hides of its own contour behind a cusp"}};
 
-/// Strength where the radial curvature is zero, its increase per radial curvature times feature size, and the distance
-/// from at_cusp at which the sign counts as certain. Strength is clamped to (0, 1], so that noise in the sign does not
-/// break a contour.
-constexpr float at_cusp = 0.5f, sureness = 20.0f, surely = 0.1f;
+/// Increase of strength per radial curvature times feature size. Strength is clamped to (0, 1], so that noise in the
+/// sign does not break a contour.
+constexpr float sureness = 20.0f;
 
 /// Parts of a surface that hide their own contours: closed ones of positive volume. Open shells are seen from both
 /// sides; of inside-out ones, such as hulls that show their backs as an outline, what would hide is not there.
@@ -44,30 +43,33 @@ Hiding hiding(const Surface& surface) {
 }
 
 /// Null if no part hides its own contour.
-std::shared_ptr<const Hiding> hides_its_own(const Surface& surface, const SmoothContour& values) {
-    if (!values.end_at_cusps) return nullptr;
+std::shared_ptr<const Array<std::uint8_t>> hides_its_own(const Surface& surface) {
     auto found = surface.cache().get<Hiding>(0, [&] { return hiding(surface); });
-    return found->vertices.empty() ? nullptr : found;
+    return found->vertices.empty() ? nullptr : std::shared_ptr<const Array<std::uint8_t>>(found, &found->vertices);
 }
 
 Curves find(const SurfaceView& seen, const SmoothContour& values) {
-    const auto hides = hides_its_own(seen.surface, values);
-    if (!hides) return find_smooth_contour(seen, [](Index) { return 1.0f; });
-    const auto fields = fields_of(seen.surface);
-    return find_smooth_contour(seen, [&](Index v) {
-        if (!hides->vertices[v]) return 1.0f;
-        const Curvature& c = fields->curvature[v];
-        const float k_r = radial(c, see_vertex(seen, c, v)).curvature;
-        return std::clamp(at_cusp + sureness * fields->feature_size * k_r, 1e-3f, 1.0f);
-    });
+    if (!values.end_at_cusps) return find_smooth_contour(seen, [](Index) { return 1.0f; });
+    return find_smooth_contour(seen, CuspStrength(seen));
 }
 
 Selection select(const Surface& surface, const SmoothContour& values) {
-    if (!hides_its_own(surface, values)) return {};
+    if (!values.end_at_cusps || !hides_its_own(surface)) return {};
     return {.level = at_cusp, .depth = surely, .reach = at_cusp + surely, .uniform = true};
 }
 
 }  // namespace
+
+CuspStrength::CuspStrength(const SurfaceView& seen) : seen_(seen), hides_(hides_its_own(seen.surface)) {
+    if (hides_) fields_ = fields_of(seen.surface);
+}
+
+float CuspStrength::operator()(Index vertex) const {
+    if (!hides_ || !(*hides_)[vertex]) return 1.0f;
+    const Curvature& c = fields_->curvature[vertex];
+    const float k_r = radial(c, see_vertex(seen_, c, vertex)).curvature;
+    return std::clamp(at_cusp + sureness * fields_->feature_size * k_r, 1e-3f, 1.0f);
+}
 
 extern const LineDefinition smooth_contour = {
     .name = "smooth_contour",

@@ -6,6 +6,22 @@
 
 namespace fovea::line {
 
+/// Strength at which a closed surface begins to hide its own contour, at cusps, and how much less is certain.
+inline constexpr float at_cusp = 0.5f, surely = 0.1f;
+
+/// Strength of contours, in (0, 1]: by the radial curvature where a closed part of a surface hides its own contours
+/// behind cusps, elsewhere 1. Refers to the view of the surface.
+class CuspStrength {
+   public:
+    explicit CuspStrength(const SurfaceView& seen);
+    float operator()(Index vertex) const;
+
+   private:
+    const SurfaceView& seen_;
+    std::shared_ptr<const Array<std::uint8_t>> hides_;  // per vertex; null: nowhere
+    std::shared_ptr<const Fields> fields_;
+};
+
 /// Zeros of the interpolated n . v, with the normals n of the fitted surface. strength(v) is interpolated along them.
 template <typename Strength>
 Curves find_smooth_contour(const SurfaceView& seen, const Strength& strength) {

@@ -3,7 +3,8 @@
 // Developer's Guide to Silhouette Algorithms for Polygonal Models", CG&A 2003; contours as in Hertzmann & Zorin,
 // "Illustrating Smooth Surfaces", SIGGRAPH 2000.
 // In   the smooth contour; a ray next to the middle of each of its pieces
-// Out  the pieces behind which neither the same placement nor one of its group continues
+// Out  the pieces behind which neither the same placement nor one of its group continues, and which a closed surface
+//      does not surely hide itself, as it does the contour of its inside
 #include <fovea/line/smooth_contour.h>
 
 namespace fovea::line {
@@ -18,9 +19,10 @@ bool is_outer(const SurfaceView& seen, const CurvePiece& piece) {
 }
 
 Curves find(const SurfaceView& seen, const Values&) {
-    Curves pieces = find_smooth_contour(seen, [](Index) { return 1.0f; });
+    Curves pieces = find_smooth_contour(seen, CuspStrength(seen));
     parallel_for(pieces.size(), 64, [&](std::size_t i) {
-        const float strength = is_outer(seen, pieces[i]) ? 1.0f : 0.0f;
+        const bool hidden = std::min(pieces[i].strength[0], pieces[i].strength[1]) < at_cusp - surely;
+        const float strength = !hidden && is_outer(seen, pieces[i]) ? 1.0f : 0.0f;
         pieces[i].strength[0] = pieces[i].strength[1] = strength;
     });
     return pieces;

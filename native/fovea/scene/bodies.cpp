@@ -2,11 +2,59 @@
 #include <fovea/scene/bodies.h>
 
 #include <algorithm>
+#include <tuple>
 
 #include <fovea/base/disjoint_sets.h>
 #include <fovea/base/parallel.h>
 
 namespace fovea::scene {
+namespace {
+
+/// Whether as many of the sides of an edge run one way as the other.
+bool is_balanced(const Surface& surface, Index edge, In<std::uint8_t> hides) {
+    int turns = 0;
+    for (const EdgeSide side : surface.sides(edge))
+        if (hides[side.facet()]) turns += side.forward() ? 1 : -1;
+    return turns == 0;
+}
+
+/// An edge at which a surface is open: its ends, of vertices in one place the first, in ascending order.
+struct OpenEdge {
+    Edge ends;
+    Index edge;
+    bool reversed;  ///< against the edge
+};
+
+/// The open edges, those in one place beside each other: where a mesh is split along texture seams and hard edges, as
+/// files for games are, the surface goes on. Without those of no length.
+Array<OpenEdge> open_edges(const Surface& surface, In<std::uint8_t> hides) {
+    Array<OpenEdge> open;
+    for (Index e = 0; e < surface.edges.size(); ++e)
+        if (!is_balanced(surface, e, hides)) open.push_back({surface.edges[e], e, false});
+    Array<Index> vertices;
+    for (const OpenEdge& o : open) vertices.insert(vertices.end(), {o.ends.x, o.ends.y});
+    const auto position = [&](Index v) {
+        const vec3& p = surface.positions[v];
+        return std::tuple(p.x, p.y, p.z);
+    };
+    parallel_sort(vertices.begin(), vertices.end(),
+                  [&](Index a, Index b) { return std::tuple(position(a), a) < std::tuple(position(b), b); });
+    Array<Index> first(surface.vertex_count(), none);
+    for (std::size_t i = 0; i < vertices.size(); ++i)
+        first[vertices[i]] =
+            i > 0 && position(vertices[i]) == position(vertices[i - 1]) ? first[vertices[i - 1]] : vertices[i];
+    for (OpenEdge& o : open) {
+        o.ends = {first[o.ends.x], first[o.ends.y]};
+        o.reversed = o.ends.x > o.ends.y;
+        if (o.reversed) std::swap(o.ends.x, o.ends.y);
+    }
+    std::erase_if(open, [](const OpenEdge& o) { return o.ends.x == o.ends.y; });
+    const auto key = [](const OpenEdge& o) { return std::tuple(o.ends.x, o.ends.y, o.edge); };
+    parallel_sort(open.begin(), open.end(), [&](const OpenEdge& a, const OpenEdge& b) { return key(a) < key(b); });
+    return open;
+}
+
+}  // namespace
 
 Bodies::Bodies(const Surface& surface) : of_facet(surface.facet_count(), none) {
     Array<std::uint8_t> hides(surface.facet_count(), 0);
@@ -15,26 +63,33 @@ Bodies::Bodies(const Surface& surface) : of_facet(surface.facet_count(), none) {
         for (const EdgeSide side : surface.sides(edge))
             if (hides[side.facet()]) body(side);
     };
-    const auto edge_count = static_cast<Index>(surface.edges.size());
     DisjointSets sets(surface.facet_count());
-    for (Index e = 0; e < edge_count; ++e) {
+    for (Index e = 0; e < surface.edges.size(); ++e) {
         Index first = none;
         each_side(e, [&](EdgeSide side) {
             if (first == none) first = side.facet();
             sets.join(first, side.facet());
         });
     }
+    const Array<OpenEdge> open = open_edges(surface, hides);
+    for (std::size_t i = 1; i < open.size(); ++i)
+        if (open[i].ends == open[i - 1].ends)
+            each_side(open[i].edge, [&](EdgeSide side) {
+                each_side(open[i - 1].edge, [&](EdgeSide other) { sets.join(side.facet(), other.facet()); });
+            });
     Index count = 0;
     for (Index f = 0; f < of_facet.size(); ++f)
         if (hides[f]) of_facet[f] = sets.name(f) == f ? count++ : of_facet[sets.name(f)];
     solid.assign(count, 1);
-    for (Index e = 0; e < edge_count; ++e) {
+    for (std::size_t i = 0; i < open.size();) {
         int turns = 0;
         Index body = none;
-        each_side(e, [&](EdgeSide side) {
-            turns += side.forward() ? 1 : -1;
-            body = of_facet[side.facet()];
-        });
+        const Edge ends = open[i].ends;
+        for (; i < open.size() && open[i].ends == ends; ++i)
+            each_side(open[i].edge, [&](EdgeSide side) {
+                turns += side.forward() != open[i].reversed ? 1 : -1;
+                body = of_facet[side.facet()];
+            });
         if (turns != 0) solid[body] = 0;
     }
     Array<double> volume(count, 0.0);

@@ -8,7 +8,8 @@ namespace fovea::scene {
 
 /// Connected components (over edges) of the occluding facets of a surface. A component is solid if it is closed and
 /// consistently oriented: at each of its edges as many sides run one way as the other. All others are open shells,
-/// however small their holes.
+/// however small their holes. Open edges whose ends lie in the same places are one edge: files split meshes along
+/// texture seams and where normals differ.
 struct Bodies {
     Array<Index> of_facet;        ///< component index, numbered by first facet; `none` for facets that do not occlude
     Array<std::uint8_t> solid;    ///< per component
