@@ -99,7 +99,7 @@ struct Pen {
         Field{"texture_anchor",
               &Pen::texture_anchor,
               "Texture Fixed To",
-              "What the texture is fixed to when strokes grow in the image",
+              "What the texture, the hand's wobble and noise are fixed to when strokes grow in the image",
               {},
               grain},
         Field{"second_color", &Pen::second_color, "Second Color",

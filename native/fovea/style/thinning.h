@@ -35,8 +35,8 @@ struct Elision {
               "Share of the distance around it that a line must have for itself to show at all", room},
         Field{"cut", &Elision::cut, "Min Opacity", "Lines that are fainter are left out altogether", room},
         Field{"frames", &Elision::frames, "Temporal Smoothing",
-              "Renders smooth how lines come and go over so many frames before and after each, and take as many times "
-              "as long",
+              "Renders smooth how lines come and go over so many frames before and after each: a single one takes as "
+              "many times as long, an animation little longer",
               number(0, 8, 8)},
         Field{"length", &Elision::length, "Length", "Of crowding lines, how far long ones stay before short ones",
               weight, weights},
