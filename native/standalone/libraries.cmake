@@ -10,6 +10,12 @@ if(WIN32)
     add_compile_options(-U__STRICT_ANSI__)
 endif()
 
+# Functions that nobody calls are left out, also where others of their file are called.
+if(UNIX AND NOT APPLE)
+    add_compile_options(-ffunction-sections -fdata-sections)
+    add_link_options(-Wl,--gc-sections)
+endif()
+
 # Warnings of others are not ours, and nothing of theirs is exported.
 add_library(fovea_foreign INTERFACE)
 target_compile_options(fovea_foreign INTERFACE -w -ffp-contract=off)
