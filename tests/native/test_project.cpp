@@ -87,6 +87,20 @@ TEST(Project, ASingleSampleIsDroppedUnlessPartOfAPath) {
     EXPECT_EQ(path.sample_count[0] + path.sample_count[1], 2u);
 }
 
+TEST(Project, ContoursThatEncloseAlmostNoAreaAreDroppedUnlessTheyTouchAnother) {
+    const dvec3 corner = at_px(100, 100);
+    const std::vector<dvec3> sliver{corner, at_px(120, 101), at_px(110, 102), corner};
+    const auto pieces = [&](dvec3 other, std::uint8_t of_view, const std::vector<dvec3>& closed) {
+        Wires lines({closed, {at_px(20, 90), other, at_px(180, 120)}});
+        lines.paths.of_view = {1, of_view};
+        return lines.project(camera(), {.least_length_px = {30.0}}).pieces.count();
+    };
+    EXPECT_EQ(pieces(at_px(100, 104), 1, sliver), 1u);
+    EXPECT_EQ(pieces(corner, 1, sliver), 2u);
+    EXPECT_EQ(pieces(corner, 0, sliver), 1u) << "no contour";
+    EXPECT_EQ(pieces(at_px(100, 104), 1, {corner, at_px(120, 100), at_px(110, 117), corner}), 2u) << "it has an area";
+}
+
 TEST(Project, NoneOneAndTwoSegments) {
     const View view = camera();
     EXPECT_EQ(Wires({}).project(view).pieces.count(), 0u);

@@ -15,6 +15,7 @@
 #include <fovea/path/extract.h>
 #include <fovea/project/project.h>
 #include <fovea/runs/filters.h>
+#include <fovea/runs/forks.h>
 #include <fovea/runs/invisibility.h>
 #include <fovea/runs/join_folds.h>
 #include <fovea/runs/narrow_strips.h>
@@ -98,6 +99,8 @@ void Frame::filter() {
         unfold();
         const Runs joined = close_gaps(*clipped, *visible, o.gap * scale(), spurs, o.spur * scale());
         Runs found = trim_folds(*clipped, joined, paths->of_view, o.fold * scale());
+        const ForkOptions forks{o.contour_spur * scale(), o.fold * scale(), o.joint * scale()};
+        found = without_forks(*clipped, found, *paths, *job.scene, forks);
         found = without_tips(*clipped, found, paths->placement, o.tip * scale(), o.beside * scale());
         found = without_narrow_strips(*clipped, found, *paths, *job.scene, job.view,
                                       spacing_by_path(*paths, scale(), job.style));

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fovea/project/project.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include <fovea/base/check.h>
 #include <fovea/project/backs.h>
 #include <fovea/project/clip.h>
+#include <fovea/project/slivers.h>
 #include <fovea/scene/section.h>
 
 namespace fovea::project {
@@ -56,19 +58,36 @@ class Projector {
     }
 
     void add(Index path) {
-        const Index begin = paths_.rows.begin(path), end = paths_.rows.end(path);
-        if (end - begin < 2) return;
-        transform(path, begin, end);
-        if (!reachable() || p_.outside_all) return;
-        measure();
-        if (!std::isfinite(p_.arc_px.back() - p_.middle_px)) return;
-        if (is_speck(path) || is_sliver(path)) return;
-        clip(path, begin, end);
+        if (measures(path) && !is_speck(path)) clip(path, paths_.rows.begin(path), paths_.rows.end(path));
+    }
+
+    /// Whether a path is a short closed contour that encloses almost no area: mesh noise where a smooth surface is seen
+    /// at a grazing angle.
+    bool is_sliver(Index path) {
+        constexpr double roundness = 0.02;  // area / perimeter^2; a circle has 0.08
+        const std::size_t set = paths_.line_set[path];
+        if (!paths_.of_view[path] || !paths_.closed[path] || set >= options_.least_length_px.size() || !measures(path))
+            return false;
+        const double perimeter = p_.arc_px.back();
+        if (perimeter > 2.0 * options_.least_length_px[set]) return false;
+        double area = 0.0;
+        for (std::size_t i = 0; i + 1 < p_.clip.size(); ++i) area += 0.5 * cross(pixels_at(i, 0.0), pixels_at(i, 1.0));
+        return std::abs(area) < roundness * perimeter * perimeter;
     }
 
     ClippedPaths out;
 
    private:
+    /// Projects and measures a path; false if nothing of it can be drawn.
+    bool measures(Index path) {
+        const Index begin = paths_.rows.begin(path), end = paths_.rows.end(path);
+        if (end - begin < 2) return false;
+        transform(path, begin, end);
+        if (!reachable() || p_.outside_all) return false;
+        measure();
+        return std::isfinite(p_.arc_px.back() - p_.middle_px);
+    }
+
     void transform(Index path, Index begin, Index end) {
         const Index placement = paths_.placement[path];
         if (placement != placement_) {
@@ -137,20 +156,6 @@ class Projector {
         for (Index i = paths_.rows.begin(path), k = 0; i + 1 < paths_.rows.end(path); ++i, ++k)
             if (paths_.strength[i] + paths_.strength[i + 1] >= 2.0f * faint) length += p_.arc_px[k + 1] - p_.arc_px[k];
         return length;
-    }
-
-    /// Whether a path is a short closed contour that encloses almost no area: mesh noise where a smooth surface is seen
-    /// at a grazing angle.
-    bool is_sliver(Index path) const {
-        constexpr double roundness = 0.02;  // area / perimeter^2; a circle has 0.08
-        const std::size_t set = paths_.line_set[path];
-        const double perimeter = p_.arc_px.back();
-        if (set >= options_.least_length_px.size() || !paths_.of_view[path] || !paths_.closed[path] ||
-            perimeter > 2.0 * options_.least_length_px[set])
-            return false;
-        double area = 0.0;
-        for (std::size_t i = 0; i + 1 < p_.clip.size(); ++i) area += 0.5 * cross(pixels_at(i, 0.0), pixels_at(i, 1.0));
-        return std::abs(area) < roundness * perimeter * perimeter;
     }
 
     /// Measures arc length in pixels, and its value at the path's middle (in space).
@@ -368,12 +373,21 @@ ClippedPaths project(const Paths& paths, const Scene& scene, const View& view, c
                      const Cancel& cancel) {
     check(options.sample_step_px >= least_sample_step_px, "sample_step_px must be at least a thousandth");
     const Backs backs(scene, view);
+    const auto slivers =
+        parallel_collect<Index>(paths.count(), paths_per_block, [&](std::size_t p, std::size_t end, auto& found) {
+            cancel.poll();
+            Projector projector(paths, scene, view, backs, options);
+            for (; p < end; ++p)
+                if (projector.is_sliver(static_cast<Index>(p))) found.push_back(static_cast<Index>(p));
+        });
+    const Array<Index> dropped = slivers_apart(paths, slivers);
     auto parts = parallel_parts<ClippedPaths>(
         paths.count(), paths_per_block, [&](ClippedPaths& part, std::size_t begin, std::size_t end) {
             cancel.poll();
             Projector projector(paths, scene, view, backs, options);
             projector.reserve(end - begin, paths.rows.offsets[end] - paths.rows.offsets[begin]);
-            for (std::size_t p = begin; p < end; ++p) projector.add(static_cast<Index>(p));
+            for (std::size_t p = begin; p < end; ++p)
+                if (!std::ranges::binary_search(dropped, Index(p))) projector.add(static_cast<Index>(p));
             part = std::move(projector.out);
         });
     ClippedPaths all = join(parts);

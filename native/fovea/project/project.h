@@ -17,8 +17,8 @@ struct ProjectOptions {
     /// Margin around the frame, as a fraction of its half size, so that clipped ends of strokes lie out of view.
     double margin = 0.1;
     /// Per line set: minimum length in the image. Shorter paths with an end that touches no other line are dropped; so
-    /// are closed contours up to twice as long that enclose almost no area, and closed intersections a third as long:
-    /// tips that poke through a surface. Empty: nothing is dropped.
+    /// are closed contours up to twice as long that enclose almost no area and touch no other contour, and closed
+    /// intersections a third as long: tips that poke through a surface. Empty: nothing is dropped.
     std::vector<double> least_length_px{};
 };
 

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fovea/runs/touches.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+
+namespace fovea::runs {
+namespace {
+
+constexpr std::size_t runs_per_block = 256;
+
+/// Places by the cells of a grid, as large as the distance.
+class Grid {
+   public:
+    Grid(In<Place> places, double touch_px, bool by_key) : places_(places), touch_(touch_px) {
+        for (Index k = 0; k < places.size(); ++k)
+            cells_.push_back({by_key ? places[k].key : 0, cell_of(places[k].px.y), cell_of(places[k].px.x), k});
+        parallel_sort(cells_.begin(), cells_.end());
+    }
+
+    /// Calls near(place, distance, arc) for the places of a key near a run, for each of its segments.
+    template <typename Near>
+    void along(const ClippedPaths& clipped, const Runs& runs, std::size_t run, Index key, const Near& near) const {
+        const Index piece = runs.piece[run];
+        const double stop = runs.end_px[run];
+        double arc = runs.start_px[run];
+        dvec2 before(clipped.place_px(piece, arc));
+        for (Index i = clipped.segment_at(piece, arc) + 1;; ++i) {
+            const bool inside = i < clipped.pieces.end(piece) && clipped.arc_px[i] < stop;
+            const double next = inside ? clipped.arc_px[i] : stop;
+            const dvec2 here = inside ? dvec2(clipped.px[i]) : dvec2(clipped.place_px(piece, stop));
+            beside(key, before, here,
+                   [&](Index place, double distance, double t) { near(place, distance, glm::mix(arc, next, t)); });
+            if (!inside) break;
+            before = here;
+            arc = next;
+        }
+    }
+
+   private:
+    struct Cell {
+        Index key;
+        std::int64_t row, column;
+        Index place;
+        auto operator<=>(const Cell&) const = default;
+    };
+
+    /// Calls near(place, distance, fraction of the way) for the places near a straight line from a to b.
+    template <typename Near>
+    void beside(Index key, const dvec2& a, const dvec2& b, const Near& near) const {
+        const dvec2 way = b - a, low = glm::min(a, b) - touch_, high = glm::max(a, b) + touch_;
+        if (!std::isfinite(low.x + low.y + high.x + high.y)) return;
+        const double square = glm::dot(way, way);
+        for (std::int64_t row = cell_of(low.y); row <= cell_of(high.y); ++row) {
+            // What is nearest to places of a row lies in it or in one beside it.
+            const auto x_at = [&](std::int64_t of, double level) {
+                return way.y == 0.0 ? level : a.x + way.x * std::clamp((double(of) * touch_ - a.y) / way.y, 0.0, 1.0);
+            };
+            const double x0 = x_at(row - 1, a.x), x1 = x_at(row + 2, b.x);
+            const std::int64_t last = cell_of(std::max(x0, x1) + touch_);
+            auto cell = std::ranges::lower_bound(cells_, Cell{key, row, cell_of(std::min(x0, x1) - touch_), 0});
+            if (cell == cells_.end() || cell->key != key) return;
+            if (cell->row > row) row = cell->row - 1;  // there is nothing in the rows between
+            for (; cell != cells_.end() && cell->key == key && cell->row == row && cell->column <= last; ++cell) {
+                const dvec2& px = places_[cell->place].px;
+                const double t = square > 0.0 ? std::clamp(glm::dot(px - a, way) / square, 0.0, 1.0) : 0.0;
+                const double distance = glm::distance(px, a + t * way);
+                if (distance <= touch_) near(cell->place, distance, t);
+            }
+        }
+    }
+
+    std::int64_t cell_of(double px) const { return std::int64_t(std::floor(px / touch_)); }
+
+    In<Place> places_;
+    double touch_;
+    Array<Cell> cells_;
+};
+
+}  // namespace
+
+Array<Touch> touches_of(const ClippedPaths& clipped, const Runs& runs, In<Place> places, In<Index> key,
+                        double touch_px) {
+    const Grid grid(places, touch_px, true);
+    Array<Touch> all =
+        parallel_collect<Touch>(runs.size(), runs_per_block, [&](std::size_t r, std::size_t last, auto& part) {
+            for (; r < last; ++r)
+                if (key[r] != none)
+                    grid.along(clipped, runs, r, key[r], [&](Index place, double distance, double arc) {
+                        part.push_back({place, Index(r), distance, arc});
+                    });
+        });
+    parallel_sort(all.begin(), all.end());
+    const auto same = [](const Touch& a, const Touch& b) { return a.place == b.place && a.run == b.run; };
+    all.erase(std::unique(all.begin(), all.end(), same), all.end());
+    return all;
+}
+
+Array<std::uint8_t> touched_by_others(const ClippedPaths& clipped, const Runs& runs, In<Place> places, In<Index> own,
+                                      double touch_px) {
+    const Grid grid(places, touch_px, false);
+    Array<std::uint8_t> touched(places.size(), 0);
+    parallel_for(runs.size(), runs_per_block, [&](std::size_t r) {
+        if (runs.invisibility[r] != 0) return;
+        grid.along(clipped, runs, r, 0, [&](Index place, double, double) {
+            if (own[place] != r) std::atomic_ref(touched[place]).store(1, std::memory_order_relaxed);
+        });
+    });
+    return touched;
+}
+
+}  // namespace fovea::runs
