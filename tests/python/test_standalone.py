@@ -46,7 +46,7 @@ def test_the_zip_of_a_platform_has_at_most_10_mb(platform):
     modules = [module(platform, python) for python in toolchain.PYTHONS]
     files = [file for folder in ("addon", "shaders") for file in (PROJECT / folder).rglob("*") if file.is_file()]
     rest = [file for file in files if file.suffix not in (".pyi", ".pyc")]
-    assert sum(len(zlib.compress(file.read_bytes(), 9)) for file in (*modules, *rest)) < 10 << 20
+    assert sum(len(zlib.compress(file.read_bytes(), 9)) for file in (*modules, *rest)) < 10_000_000
 
 
 def test_a_module_that_needs_libraries_of_debian_is_found_out():
