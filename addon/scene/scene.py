@@ -327,5 +327,5 @@ def seen(core, view):
 def has_anything(scene):
     """Whether any object of the scene, hidden or not, is of a type that can have lines, or that Blender draws over the
     picture."""
-    kinds = {"MESH", "CURVE", "SURFACE", "FONT", "META", "CURVES", "POINTCLOUD", "GREASEPENCIL"}
+    kinds = {"MESH", "CURVE", "SURFACE", "FONT", "META", "CURVES", "POINTCLOUD", "GREASEPENCIL", "GPENCIL"}
     return any(obj.type in kinds or obj.instance_type != "NONE" for obj in scene.objects)
