@@ -58,6 +58,8 @@ def measure(work, size, named="watercolor"):
     draw, views, outcome = pipeline.draw, [], []
 
     def measured(placed, seen, style_, backend, options, **given):
+        if not views:  # the self-test of the GPU, before the render has a view
+            return draw(placed, seen, style_, backend, options, **given)
         pipeline.draw = draw
         outcome.append(work(World(placed, views[-1], options.replace(with_depth=True), given)))
         return draw(placed, seen, plain(), backend, options, **given)
