@@ -67,11 +67,11 @@ test_suites() {
         wait_for "$suite" && ready="$ready $suite" || broken="$broken $suite"
     done
     [ -n "$ready" ] || fail "neither suite could be set up"
+    sanitize=yes # only on the first suite: native code under sanitizers is the same on all
     for suite in $ready; do
-        # Only on the last suite, which has no tests with Vulkan: native code under sanitizers is the same on all.
-        [ "$suite" = "${ready##* }" ] && sanitize=yes || sanitize=no
         (use_suite "$suite" && test_target "$sanitize" 1 "$@") &
         eval "child_$suite=$!"
+        sanitize=no
     done
     for suite in $ready; do
         wait_for "$suite" || true
