@@ -84,7 +84,7 @@ RTCRayHit ray_through_boxes(const dvec3& from, const dvec3& along, double near_t
 }
 
 float end_of_ray(double t, double longest) {
-    constexpr float least = std::numeric_limits<float>::min();
+    constexpr float least = std::numeric_limits<float>::min();  // so that it is at least the next number
     const float end = float(t * longest);
     return end + std::max(std::abs(end) * std::numeric_limits<float>::epsilon(), least);
 }
