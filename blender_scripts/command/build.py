@@ -6,6 +6,7 @@ import shutil
 import sys
 from pathlib import Path
 
+from .precompiled import forget_changed
 from .target import PROJECT
 
 
@@ -42,6 +43,7 @@ def preset(target, name, *goals):
 
 
 def _make(target, sentence, folder, *words):
+    forget_changed(folder)
     target.run(sentence, ["cmake", "--build", folder, "-j", str(len(os.sched_getaffinity(0))), *words])
 
 

@@ -5,6 +5,7 @@ import os
 import shutil
 
 from .. import module_sources
+from ..precompiled import forget_changed
 from ..target import PROJECT, StepFailed
 from . import linker, python_names, sources, toolchain
 
@@ -102,6 +103,7 @@ def _build(target, platform, goals):
         if platform.system == "Windows":
             for python in toolchain.PYTHONS:
                 import_library(target, platform, python)
+        forget_changed(folder)
         jobs = str(len(os.sched_getaffinity(0)))
         step = f"building {' and '.join(goals)} for {platform.name}"
         target.run(step, ["cmake", "--build", folder, "-j", jobs, "--target", *goals], **_caching(target))
