@@ -4,7 +4,7 @@
 import bpy
 import numpy as np
 import pytest
-from pictures import SIZE, box_scene, drawn, ink, layered, pixels_of
+from pictures import SIZE, box_scene, box_scene_of_one_set, drawn, ink, layered, pixels_of
 from the_addon import add_camera, box_mesh, new_object, own_style, part
 
 session = part("render.session")
@@ -79,7 +79,8 @@ def test_a_border_draws_a_part_of_the_full_frame(scene, tmp_path, crop):
     assert np.abs(part_drawn - full[rows, columns]).max() < 0.05
 
 
-def test_orthographic(scene, tmp_path):
+def test_orthographic(tmp_path):
+    scene = box_scene_of_one_set()
     camera = scene.camera
     camera.data.type, camera.data.ortho_scale = "ORTHO", 4.0
     camera.location, camera.rotation_euler = (0, 0, 10), (0, 0, 0)

@@ -27,10 +27,11 @@ std::set<Index> edges_of(const Mesh& mesh, const View& view, const LineSet& set,
 }
 
 /// The vertices of these edges: the same whatever their numbers.
-std::set<std::pair<Index, Index>> ends_of(const Mesh& mesh, const View& view, const LineSet& set) {
+std::set<std::pair<Index, Index>> ends_of(const Mesh& mesh, const View& view, const LineSet& set,
+                                          dmat4 at = dmat4(1.0)) {
     const auto surface = mesh.surface();
     std::set<std::pair<Index, Index>> ends;
-    for (const Index edge : edges_of(mesh, view, set))
+    for (const Index edge : edges_of(mesh, view, set, at))
         ends.insert(std::minmax({surface->edges[edge].x, surface->edges[edge].y}));
     return ends;
 }
@@ -66,6 +67,20 @@ TEST(Contour, OfABoxFromItsCornerHasSixEdges) {
 TEST(Contour, OfABoxSeenStraightOnIsItsFrontFace) {
     EXPECT_EQ(edges_of(box(), perspective({0, -5, 0}, {0, 0, 0}), line_set({"contour"})).size(), 4u);
     EXPECT_EQ(edges_of(box(), orthographic({0, -5, 0}, {0, 0, 0}, 6), line_set({"contour"})).size(), 4u);
+}
+
+TEST(Contour, OfABoxInAnElevationIsItsFrontFaceHoweverItIsTurned) {
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> turn(0.0, 6.28);
+    const Mesh mesh = box();
+    for (int i = 0; i < 20; ++i) {
+        const dmat4 turned = glm::mat4_cast(glm::dquat(dvec3(turn(random), turn(random), turn(random))));
+        const dvec3 eye(turned * dvec4(0, -5, 0, 0));
+        const auto ends = ends_of(mesh, orthographic(eye, {0, 0, 0}, 6), line_set({"contour"}), turned);
+        EXPECT_EQ(ends.size(), 4u) << i;
+        for (const auto& [a, b] : ends)
+            EXPECT_TRUE(mesh.positions[a].y < 0.0f && mesh.positions[b].y < 0.0f) << i << ": " << a << " to " << b;
+    }
 }
 
 TEST(Contour, OfASphereIsOneLoopNearTheAnalyticCircle) {

@@ -25,7 +25,7 @@ struct SurfaceView {
     /// Eye position in the surface's space; for an orthographic camera the direction towards the viewer.
     dvec3 eye_obj{0.0};
     bool orthographic = false;
-    /// Per facet: 1 if it is front-facing (edge-on counts as front-facing). Empty if no definition needs it.
+    /// Per facet: 1 if it is front-facing (edge-on does not count as front-facing). Empty if no definition needs it.
     Array<std::uint8_t> facing{};
     /// The placement, and the ray caster of the view; null for definitions that depend on the surface alone.
     Index placement = 0;

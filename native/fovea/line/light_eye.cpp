@@ -47,7 +47,7 @@ Array<Index> outline_edges(const SurfaceView& seen) {
     const dvec3 eye = glm::inverse(seen.surface.stretch()) * seen.eye_obj;
     const dvec4 homogeneous(eye, seen.orthographic ? 0.0 : 1.0);
     const auto bodies = bodies_of(surface);
-    const Array<std::uint8_t> facing = facing_of(seen);
+    const Array<std::uint8_t> facing = facing_of(seen, 0.0);
     const auto is_outline = [&](Index e) {
         bool any = false, first = false;
         for (const EdgeSide side : surface.sides(e)) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fovea/line/look_at.h>
 
+#include <cmath>
+
 namespace fovea::line {
 
 SurfaceView look_at(const Surface& surface, Index placement, const Tracer& tracer) {
@@ -16,12 +18,13 @@ SurfaceView look_at(const Surface& surface, Index placement, const Tracer& trace
 }
 
 /// Evaluated on the original surface, as everywhere else: pre-stretching changes only the last digits.
-Array<std::uint8_t> facing_of(const SurfaceView& seen) {
+Array<std::uint8_t> facing_of(const SurfaceView& seen, double edge_on) {
     const Surface& surface = seen.surface.source() ? *seen.surface.source() : seen.surface;
     const dvec3 eye = glm::inverse(seen.surface.stretch()) * seen.eye_obj;
     return parallel_map<std::uint8_t>(surface.facet_count(), [&](std::size_t f) {
         const dvec4 plane(surface.facet_plane[f]);
-        return glm::dot(dvec3(plane), eye) - (seen.orthographic ? 0.0 : plane.w) >= 0.0;
+        const double offset = seen.orthographic ? 0.0 : plane.w;
+        return glm::dot(dvec3(plane), eye) - offset >= edge_on * (glm::length(eye) + std::abs(offset));
     });
 }
 

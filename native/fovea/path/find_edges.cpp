@@ -128,7 +128,7 @@ FoundEdges find_edges(SurfaceView seen, const std::vector<PlacedSet>& sets, std:
     found.kept = surface.cache().get<StaticLines>(sets_hash, [&] { return find_static(surface, sets); });
     found.kinds = found.kept->kinds;
     if (!of_view) return found;
-    seen.facing = facing_of(seen);
+    seen.facing = facing_of(seen, edge_on_to_viewer);
     const Kinds doubled = doubled_edges(asked_of(sets));
     if (doubled) found.doubled = doubled_at_edges(surface, sets);
     Array<Kinds> all(found.doubled.size(), 0);
