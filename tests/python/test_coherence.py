@@ -4,7 +4,7 @@
 import numpy as np
 import pytest
 from bench.coherence import PERIOD, measures
-from bench.coherence.strokes import Strokes, sampled
+from bench.coherence.strokes import Strokes, divided, mixed, sampled
 
 PX_OF_UNIT = 50.0  # pixels of a unit of the scene, which is seen from above
 
@@ -99,6 +99,14 @@ def test_a_stroke_of_two_frames_is_a_blink_and_one_of_three_is_not():
 def test_ink_where_no_line_is_left_counts_as_gone():
     told = figures(lines((0, 4), (0, 4)), lines((0, 4)))
     assert told["popping"] == pytest.approx(measures.INKED / 2, abs=0.02)
+
+
+def test_lines_are_divided_evenly_in_the_image_and_keep_their_points():
+    px = np.array([(0, 0), (10, 0), (10, 1), (50, 5), (50, 9)], float)
+    offsets, point, t, s = divided(np.array([0, 3, 5]), px, np.array([1.0, 3.0, 1.0, 1.0, 1.0]), 4.0)
+    assert offsets.tolist() == [0, 5, 7] and point.tolist() == [0, 0, 0, 1, 2, 3, 4]
+    assert mixed(px, point, t)[:, 0] == pytest.approx([0, 10 / 3, 20 / 3, 10, 10, 50, 50])
+    assert s[1] == pytest.approx((1 / 3) / (3 - 2 / 3)) and s[3:].tolist() == [0, 0, 0, 0]
 
 
 def test_samples_lie_in_the_middles_of_equal_parts_in_the_image_and_in_space():
