@@ -596,6 +596,8 @@ class Surface:
     def set_positions(self, positions: Annotated[ArrayLike, numpy.float32], *, refit: bool=False) -> None:
         """Moves the vertices, (V, 3) float32; the topology stays. refit: rays follow by a refitted BVH instead of a new
         one, which is faster; which triangle a ray through the side of two hits then depends on earlier positions."""
+    def set_rest(self, positions: Annotated[ArrayLike, numpy.float32] | None) -> None:
+        """Sets where the vertices, (V, 3) float32, are before what deforms the surface; None: where they are."""
     def set_field_options(self, estimator: str='automatic', degree: int=0, rings: int=0, smoothing: float=0.0) -> None:
         """How curvature is estimated from now on. estimator: automatic, jets or one_ring; degree (2 to 4) and rings (1
         to 32) of jets, 0: automatic; smoothing: deviation, in edge lengths, of the Gaussian it is averaged with."""
@@ -694,6 +696,8 @@ class RefinedSurface(Surface):
         (V,) float32, weights from 0 to 1. Raises ValueError, naming the object, for a cage without a limit surface."""
     def set_positions(self, positions: Annotated[ArrayLike, numpy.float32], *, refit: bool=False) -> None:
         """Moves the cage's vertices, (V, 3) float32; the topology stays. refit: as Surface has it."""
+    def set_rest(self, positions: Annotated[ArrayLike, numpy.float32] | None) -> None:
+        """As Surface has it, of the cage's vertices."""
     def mix_corners(
         self,
         values: Annotated[ArrayLike, numpy.float32],
@@ -769,7 +773,7 @@ class Paths:
         """(N, 3) float32"""
     @property
     def arc_obj(self) -> NDArray[numpy.float64]:
-        """(N,) float64 arc length from the path's start, object units"""
+        """(N,) float64 arc length from the path's start, object units; in the surface's rest shape, if it has one"""
     @property
     def place(self) -> NDArray[numpy.uint32]:
         """(N,) uint32 where the segment from this point lies: an edge, or the number of edges + a triangle; the last:

@@ -82,6 +82,16 @@ def _smooth_edges(mesh, corner_edges, offsets, sharp, buffers):
     return smooth
 
 
+def vectors(mesh, name, buffers):
+    """(V, 3) float32 of a vector attribute of the vertices; None if the mesh has no such one."""
+    found = mesh.attributes.get(name)
+    if found is None or (found.domain, found.data_type) != ("POINT", "FLOAT_VECTOR"):
+        return None
+    values = buffers.take("vectors", (len(mesh.vertices), 3), np.float32)
+    found.data.foreach_get("vector", values.ravel())
+    return values
+
+
 def creases(mesh, buffers):
     """Crease weights in [0, 1] of edges (E,) and vertices (V,), float32; each None if there are none."""
     of_edges = _optional(mesh, "crease_edge", buffers, (len(mesh.edges),), np.float32)

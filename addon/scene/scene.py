@@ -163,11 +163,11 @@ class _Gathering:
         None."""
         key, found = (obj.name_full, mesh.name_full, slots), None
         words = {"with_marks": self.with_marks, "shape": shape}
+        rest = shapes.rest(obj, mesh, self.depsgraph)
         if plan is not None:
             cage = partial(subdivision.cage, obj, mesh, plan, self.depsgraph)
-            found = self.cache.refined(key, obj.name, mesh, cage, slots, plan, mend, **words)
+            found = self.cache.refined(key, obj.name, mesh, cage, slots, plan, mend, rest=rest, **words)
         if found is None:
-            rest = shapes.rest(obj, mesh, self.depsgraph)
             found = self.cache.surface(key, obj.name, mesh, slots, mend, cuts, rest=rest, **words)
         return found
 

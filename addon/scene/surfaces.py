@@ -8,7 +8,7 @@ import numpy as np
 
 from . import kept, mesh_arrays
 from . import repair as repairs
-from .shapes import AUTOMATIC, HARD, AtRest
+from .shapes import AUTOMATIC, HARD, REST, AtRest
 
 BYTES, BYTES_WITH_CURVATURE = 145, 250  # per triangle: edges, planes, BVH, lines of the mesh
 
@@ -24,9 +24,10 @@ REMARKS = {  # counts of a surface's report -> text
 class _Entry:
     surface: object  # native Surface; None: a cage without a limit surface
     topology: tuple  # number of vertices, and content hashes of all arrays but the positions
-    positions: object  # content hash or hashes
+    positions: tuple  # content hashes; None: it has only some of them
     ngons: tuple  # content hashes of the n-gons' triangulation
     rest: tuple | None = None  # (shape, reason) as decided of the mesh at rest
+    undeformed: int = 0  # content hash of the positions at rest; 0: those that it has
     seen: tuple = ()  # for a refined surface: content hashes of Blender's subdivided mesh
     age: int = 0  # passes since its last use
     used: int = 0  # logical time of its last use (kept.now)
@@ -76,7 +77,7 @@ class SurfaceCache:
     def surface(self, key, name, mesh, slots, repair=None, cuts=None, *, with_marks, shape=AUTOMATIC, rest=None):
         """The native surface of an evaluated mesh: cached, or with new positions, or built. `slots`: its materials;
         `name`: for messages; `cuts`: CutOuts of a mesh that is not repaired, or None; `shape`: what its polygons stand
-        for; `rest`: its mesh at rest, which decides that."""
+        for; `rest`: its mesh at rest, which decides that, or None."""
         key = self._ordered((key, repair))
         arrays, static, topology, positions = self._read(mesh, slots, with_marks)
         topology += cuts.key if cuts else ()
@@ -95,6 +96,8 @@ class SurfaceCache:
                     surface = self._core.Surface(name, self._repaired(name, whole, repair))
                 entry = self.entries[key] = _Entry(surface, topology, positions, ngons)
                 self.rebuilt.append(entry.surface)
+            if repair is None and not cuts:
+                self._set_rest(entry, mesh, rest)
         self.at_rest.set_shape(entry, shape, rest, changed)
         entry.age, entry.used = 0, kept.now()
         return entry.surface
@@ -118,11 +121,11 @@ class SurfaceCache:
         entry.age, entry.used = 0, kept.now()
         return entry.surface
 
-    def refined(self, key, name, mesh, cage, slots, plan, repair=None, *, with_marks, shape=AUTOMATIC):
+    def refined(self, key, name, mesh, cage, slots, plan, repair=None, *, with_marks, shape=AUTOMATIC, rest=None):
         """The native surface on the limit of a cage's subdivision; None if it has no limit surface, with one remark.
 
         `mesh`: Blender's subdivided mesh, whose hashes show whether the cage has changed; `cage()`: a context with the
-        cage.
+        cage; `rest`: the mesh before modifiers, or None.
         """
         key = self._ordered((key, plan, repair))
         _, _, topology, positions = self._read(mesh, slots, with_marks)
@@ -131,6 +134,8 @@ class SurfaceCache:
         if entry is None or entry.seen != seen:
             with cage() as mesh:
                 entry = self.entries[key] = self._refined(entry, name, mesh, slots, plan, repair, with_marks)
+                if entry.surface is not None and repair is None:
+                    self._set_rest(entry, mesh, rest)
             entry.seen = seen
         if entry.surface is not None:
             entry.surface.set_shape(shape)
@@ -162,11 +167,21 @@ class SurfaceCache:
         return entry
 
     def _move(self, entry, arrays, positions):
-        """Sets the positions of an entry's surface; `positions`: their content hash."""
+        """Sets the positions of an entry's surface; `positions`: their content hashes."""
         entry.positions = None  # until it has all of them: setting them may be cancelled
         entry.surface.set_positions(arrays.positions, refit=self._refit)
         entry.positions = positions
         self.moved.append(entry.surface)
+
+    def _set_rest(self, entry, mesh, base):
+        """Tells an entry's surface where the vertices of `mesh` are at rest, as far as that is known; see AtRest."""
+        positions = self.at_rest.positions(mesh, base, entry.topology)
+        known = self._hash(positions)
+        if known == entry.positions[0]:
+            positions, known = None, 0
+        if entry.undeformed != known:
+            entry.surface.set_rest(positions)
+            entry.undeformed = known
 
     def _repaired(self, name, mesh, repair):
         """A native Mesh, repaired if `repair` is not None; adds a remark on what was repaired."""
@@ -183,13 +198,14 @@ class SurfaceCache:
         return key, self._asked[key]
 
     def _read(self, mesh, slots, with_marks):
-        """(MeshArrays, keyword arguments of a native Mesh without the positions, topology hashes of these, content hash
-        of the positions)."""
+        """(MeshArrays, keyword arguments of a native Mesh without the positions, topology hashes of these, content
+        hashes of the positions and of those at rest that the mesh has)."""
         arrays = mesh_arrays.read(self._core, mesh, self._buffers, with_marks=with_marks)
         static = {**vars(arrays), **_per_polygon(arrays, slots)}
         del static["positions"]
         topology = (len(arrays.positions), *self._hashes(static.values()))
-        return arrays, static, topology, self._hash(arrays.positions)
+        at_rest = mesh_arrays.vectors(mesh, REST, self._buffers)
+        return arrays, static, topology, self._hashes((arrays.positions, at_rest))
 
     def _hashes(self, arrays):
         return tuple(self._hash(array) for array in arrays)

@@ -11,7 +11,7 @@ from ..style import style_curves, style_data, style_groups
 
 ENGINE = "FOVEA"
 HEEDED = {  # member of a pen -> whether it has an effect for a given pen
-    "texture_anchor": lambda pen: pen.texture != "solid",
+    "texture_anchor": lambda pen: pen.texture != "solid" or pen.wobble > 0 or _acts(pen, "noise"),
     "length_scale": lambda pen: pen.texture != "solid",
     "wobble_length": lambda pen: pen.wobble > 0,
     "seed": lambda pen: pen.wobble > 0 or _acts(pen, "noise"),

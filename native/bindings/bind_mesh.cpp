@@ -200,6 +200,13 @@ void bind_surface(SurfaceClass& surface) {
             R"(Moves the vertices, (V, 3) float32; the topology stays. refit: rays follow by a refitted BVH instead of a new
 one, which is faster; which triangle a ray through the side of two hits then depends on earlier positions.)")
         .def(
+            "set_rest",
+            [](Surface& surface, const Optional<vec3>& positions) {
+                surface.set_rest(borrow<vec3>(positions, "positions"));
+            },
+            py::arg("positions"),
+            "Sets where the vertices, (V, 3) float32, are before what deforms the surface; None: where they are.")
+        .def(
             "set_field_options",
             [](Surface& surface, const py::str& estimator, int degree, int rings, double smoothing) {
                 const std::string name = surface.name() + ": estimator";
@@ -255,6 +262,13 @@ surface.)")
             },
             py::arg("positions"), py::kw_only(), py::arg("refit") = false,
             "Moves the cage's vertices, (V, 3) float32; the topology stays. refit: as Surface has it.")
+        .def(
+            "set_rest",
+            [](RefinedSurface& surface, const Optional<vec3>& positions) {
+                const In<vec3> at_rest = borrow<vec3>(positions, "positions");
+                without_gil([&] { surface.set_cage_rest(at_rest); });
+            },
+            py::arg("positions"), "As Surface has it, of the cage's vertices.")
         .def("mix_corners", &mix_corners, py::arg("values"), py::arg("polygon_offsets"),
              "(C, k) float32 at the corners of the cage, mixed to those of the refined mesh.");
 }

@@ -40,6 +40,9 @@ class RecordedSurface(SimpleNamespace):
     def set_positions(self, positions, *, refit):
         self.positions = positions.copy()
 
+    def set_rest(self, positions):
+        self.rest = None if positions is None else positions.copy()
+
 
 RECORDING = SimpleNamespace(
     Mesh=RecordedMesh,

@@ -159,14 +159,15 @@ def test_meshes_in_edit_mode():
 def test_objects_that_share_a_mesh_in_edit_mode():
     """Also those that are not in edit mode themselves, with modifiers and without."""
     mesh = box_mesh()
-    for name in ("Edited", "Plain", "Refined", "Smooth"):
+    for name in ("Edited", "Plain", "Refined", "Smooth", "Waving"):
         new_object(mesh, name)
     bpy.data.objects["Refined"].fovea.refine = True
     bpy.data.objects["Smooth"].modifiers.new("Subdivision", "SUBSURF")
+    bpy.data.objects["Waving"].modifiers.new("Wave", "WAVE")
     bpy.context.view_layer.objects.active = bpy.data.objects["Edited"]
     bpy.ops.object.mode_set(mode="EDIT")
     snapshot = in_viewport()
     bpy.ops.object.mode_set(mode="OBJECT")
     found = dict(zip(snapshot.objects, (len(snapshot.surfaces[i].positions) for i in snapshot.surface_of_placement)))
-    assert found["Edited"] == found["Plain"] == 8
+    assert found["Edited"] == found["Plain"] == found["Waving"] == 8
     assert found["Refined"] > 26 and found["Smooth"] == 26

@@ -235,3 +235,51 @@ TEST(Extract, CanBeCancelled) {
     cancel.requested = true;
     EXPECT_THROW(extract_paths(scene, corner_view, {line_set({"crease"})}, tracer, cancel), Cancelled);
 }
+
+TEST(Extract, ArcLengthsOfLinesOfTheMeshAreThoseOfTheRestShape) {
+    // A slope whose columns of squares are pulled apart.
+    constexpr int columns = 6;
+    Mesh slope = grid(columns);
+    for (vec3& p : slope.positions) p.z = 0.3f * p.y;
+    const std::vector<vec3> at_rest = slope.positions;
+    for (vec3& p : slope.positions) p.x += p.x * std::abs(p.x);
+    const auto before = [&](const dvec3& point) {
+        Index i = 0;
+        while (i + 1 < columns && point.x > slope.positions[i + 1].x) ++i;
+        const double from = slope.positions[i].x, to = slope.positions[i + 1].x;
+        return dvec3(glm::mix(at_rest[i].x, at_rest[i + 1].x, (point.x - from) / (to - from)), point.y, point.z);
+    };
+    const auto pulled = slope.surface();
+    const Scene scene({{pulled, dmat4(1.0), 1}});
+    const auto found = [&] {
+        return extract(scene, perspective({0.3, -0.2, 6}, {0, 0, 0}), {line_set({"border", "topographic"})});
+    };
+    const Paths as_it_is = found();
+    pulled->set_rest(at_rest);
+    const Paths paths = found();
+    expect_same_bits(paths.points_obj, as_it_is.points_obj);
+    std::set<Kinds> kinds;
+    for (Index p = 0; p < paths.count(); ++p) {
+        kinds.insert(paths.kinds[paths.rows.begin(p)]);
+        double arc = 0.0;
+        for (Index i = paths.rows.begin(p); i < paths.rows.end(p); ++i) {
+            if (i > paths.rows.begin(p))
+                arc += glm::distance(before(dvec3(paths.points_obj[i - 1])), before(dvec3(paths.points_obj[i])));
+            EXPECT_NEAR(paths.arc_obj[i], arc, 1e-6) << p << " " << i;
+        }
+    }
+    EXPECT_EQ(kinds, (std::set<Kinds>{bit_of("border"), bit_of("topographic")}));
+    EXPECT_NE(paths.arc_obj, as_it_is.arc_obj);
+    pulled->set_rest({});
+    expect_same_bits(found().arc_obj, as_it_is.arc_obj);
+}
+
+TEST(Extract, RestPositionsThatDoNotFitAreRefusedAndThoseThatAreNoneCount) {
+    const auto surface = box().surface();
+    EXPECT_THROW(surface->set_rest(std::vector<vec3>(7)), std::invalid_argument);
+    EXPECT_TRUE(surface->rest().empty());
+    std::vector<vec3> broken(8, vec3(std::nanf("")));
+    surface->set_rest(broken);
+    for (const double arc : extract(Scene({{surface, dmat4(1.0), 1}}), corner_view, {line_set({"crease"})}).arc_obj)
+        EXPECT_EQ(arc, 0.0);
+}

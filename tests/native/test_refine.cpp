@@ -354,6 +354,24 @@ TEST(Refine, AMovedCageIsTheSameAsANewOne) {
     EXPECT_THROW(moved.move_cage({}), std::invalid_argument);
 }
 
+TEST(Refine, AtRestVerticesLieOnTheLimitOfTheCageAtRest) {
+    Mesh cage = tetrahedron();
+    const std::vector<vec3> at_rest = cage.positions;
+    const RefinedSurface before = refined(cage, 2);
+    for (vec3& p : cage.positions) p *= 1.0f + p.x;
+    RefinedSurface deformed = refined(cage, 2);
+    deformed.set_cage_rest(at_rest);
+    EXPECT_TRUE(std::ranges::equal(deformed.rest(), In<vec3>(before.positions).first(before.vertex_count())));
+    const RefinedSurface fresh = refined(cage, 2);
+    EXPECT_EQ(deformed.positions, fresh.positions);
+    EXPECT_EQ(fields_of(deformed)->curvature[0].k1, fields_of(fresh)->curvature[0].k1);
+    deformed.move_cage(at_rest);
+    EXPECT_EQ(deformed.positions, before.positions);
+    deformed.set_cage_rest({});
+    EXPECT_TRUE(deformed.rest().empty());
+    EXPECT_THROW(deformed.set_cage_rest(std::vector<vec3>(3)), std::invalid_argument);
+}
+
 TEST(Refine, CagesWithoutALimitSurface) {
     EXPECT_NE(message_of(two_boxes_at_an_edge()).find("two boxes: 1 edges lie between more than"), std::string::npos);
     EXPECT_NE(message_of(flipped(box(), [](int f) { return f == 0; })).find("disagree"), std::string::npos);

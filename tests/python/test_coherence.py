@@ -4,7 +4,7 @@
 import numpy as np
 import pytest
 from bench.coherence import PERIOD, measures
-from bench.coherence.strokes import Strokes, sampled
+from bench.coherence.strokes import Strokes, divided, mixed, sampled
 
 PX_OF_UNIT = 50.0  # pixels of a unit of the scene, which is seen from above
 
@@ -63,6 +63,31 @@ def test_levels_blend_without_a_jump_in_ink():
     assert np.abs(before - after).max() < 1e-6
 
 
+def test_points_move_with_the_triangles_that_they_lie_on():
+    random = np.random.default_rng(5)
+    before, after = random.uniform(-1, 1, (2, 3, 20, 3))
+    shares = random.dirichlet((1, 1, 1), 20).T[:, :, None]
+    on, becomes = (shares * before).sum(axis=0), (shares * after).sum(axis=0)
+    assert measures.carried(on, before, after) == pytest.approx(becomes)
+    beside = on + 0.1 * np.cross(before[1] - before[0], before[2] - before[0])
+    assert measures.carried(beside, before, after) == pytest.approx(becomes + beside - on)
+
+
+def test_dashes_that_begin_at_a_point_do_not_pop_by_rounding():
+    for octaves in (False, True):
+        frames = [lines((0, 0.08), whole_px=3 * PERIOD, shift=shift - 2.0, octaves=octaves) for shift in (-1e-4, 1e-4)]
+        assert figures(*frames)["popping"] < 1e-3, octaves
+
+
+def test_a_dash_has_its_share_of_ink():
+    along, whole = np.linspace(0, 1, 999, endpoint=False), np.full(999, float(PERIOD))
+    found = measures.ink(along, whole, False)
+    assert found.mean() == pytest.approx(measures.INKED, abs=1e-3)
+    assert found.min() == pytest.approx(0, abs=1e-9) and found.max() == pytest.approx(1)
+    one_pixel = ((found > 0.01) & (found < 0.99)).mean() * PERIOD
+    assert one_pixel == pytest.approx(2, abs=0.1)  # at both ends
+
+
 def test_a_stroke_of_two_frames_is_a_blink_and_one_of_three_is_not():
     one, both = lines((0, 4)), lines((0, 4), (0, 4))
     blink = figures(one, both, both, one, one)
@@ -74,6 +99,14 @@ def test_a_stroke_of_two_frames_is_a_blink_and_one_of_three_is_not():
 def test_ink_where_no_line_is_left_counts_as_gone():
     told = figures(lines((0, 4), (0, 4)), lines((0, 4)))
     assert told["popping"] == pytest.approx(measures.INKED / 2, abs=0.02)
+
+
+def test_lines_are_divided_evenly_in_the_image_and_keep_their_points():
+    px = np.array([(0, 0), (10, 0), (10, 1), (50, 5), (50, 9)], float)
+    offsets, point, t, s = divided(np.array([0, 3, 5]), px, np.array([1.0, 3.0, 1.0, 1.0, 1.0]), 4.0)
+    assert offsets.tolist() == [0, 5, 7] and point.tolist() == [0, 0, 0, 1, 2, 3, 4]
+    assert mixed(px, point, t)[:, 0] == pytest.approx([0, 10 / 3, 20 / 3, 10, 10, 50, 50])
+    assert s[1] == pytest.approx((1 / 3) / (3 - 2 / 3)) and s[3:].tolist() == [0, 0, 0, 0]
 
 
 def test_samples_lie_in_the_middles_of_equal_parts_in_the_image_and_in_space():

@@ -12,8 +12,9 @@ from bl_ext.user_default.fovea import pipeline
 from .. import renderers
 from ..focus.world import kept_results
 from . import PERIOD
-from .strokes import Strokes, arc_from_start
+from .strokes import Strokes, arc_from_start, divided, mixed
 
+STEP = 4.0  # pixels between points of a line, as between places on it (native/fovea/stroke/anchor.cpp)
 DASHES = 8  # lengths of the dashes' texture in widths of the pen
 REFERENCE = 1080  # pixels of the height that a pen's width is given for
 
@@ -51,9 +52,12 @@ class Fovea(renderers.Fovea):
         offsets = np.concatenate([[0], np.cumsum(sizes[drawn])]).astype(np.int64)
         arc, px = np.asarray(found.arc_px)[inside], np.asarray(found.px)[inside]
         position = np.asarray(found.position_view, np.float64)[inside]
+        # Places on a path are not linear in the image.
+        offsets, point, t, s = divided(offsets, px, view.depth(position), STEP)
+        arc, px, position = mixed(arc, point, t), mixed(px, point, t), mixed(position, point, s)
         along, whole = arc / PERIOD, np.full(len(arc), float(PERIOD))
         if fixed := self.anchor == "path":
-            along, whole = self.anchored(np.repeat(np.asarray(found.piece)[drawn], sizes[drawn]), arc)
+            along, whole = self.anchored(np.repeat(np.asarray(found.piece)[drawn], np.diff(offsets)), arc)
         return Strokes(offsets, px, view.to_world(position), view.depth(position), along, whole, fixed)
 
     def anchored(self, piece, arc):

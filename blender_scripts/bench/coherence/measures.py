@@ -52,6 +52,17 @@ def match(px, depth, before, after):
     return Match(here, there, after.along[there] + beside * after.per_px[there])
 
 
+def carried(points, before, after):
+    """Points (n, 3) that move with triangles whose corners (3, n, 3) `before` become those `after`."""
+    first, *sides = before[0], before[1] - before[0], before[2] - before[0]
+    normal = np.cross(*sides)
+    square = np.maximum((normal**2).sum(axis=1), 1e-30)
+    way = points - first
+    second, third = ((np.cross(*pair) * normal).sum(axis=1) / square for pair in ((way, sides[1]), (sides[0], way)))
+    shares = np.stack([1 - second - third, second, third])[:, :, None]
+    return points + (shares * (after - before)).sum(axis=0)
+
+
 def octave(whole_px, octaves):
     """(periods a unit of the coordinate is divided in, weight in [0, 1] of these) of the finer of the two blended
     levels; the coarser one has half as many."""
@@ -70,10 +81,21 @@ def heavier(whole_px, octaves):
 
 
 def ink(along, whole_px, octaves):
-    """Of dashes, in [0, 1]."""
+    """Of dashes, in [0, 1]: the mean over a pixel, as in a picture. At points alone, dashes that begin right at one
+    would come and go by rounding."""
     finer, weight = octave(whole_px, octaves)
-    fine, coarse = ((along * periods % 1.0 < INKED).astype(float) for periods in (finer, finer / 2))
-    return weight * fine + (1 - weight) * coarse
+    half = 0.5 / np.maximum(whole_px, 1.0)
+
+    def mean(periods):
+        return (inked((along + half) * periods) - inked((along - half) * periods)) / (2 * half * periods)
+
+    return weight * mean(finer) + (1 - weight) * mean(finer / 2)
+
+
+def inked(periods):
+    """The part of so many periods that is ink."""
+    whole = np.floor(periods)
+    return INKED * whole + np.minimum(periods - whole, INKED)
 
 
 class Steadiness:

@@ -47,6 +47,24 @@ def arc_from_start(px, offsets):
     return arc - np.repeat(arc[offsets[:-1]], np.diff(offsets))
 
 
+def divided(offsets, px, depth, step_px):
+    """Points of polylines and more between them, at most `step_px` apart: (offsets, (m,) the point that each follows,
+    (m,) shares of the way to the next one in the image, (m,) in space)."""
+    size = np.zeros(len(px))
+    size[:-1] = np.hypot(*np.diff(px, axis=0).T)
+    size[offsets[1:] - 1] = 0.0
+    parts = np.maximum(1, np.ceil(size / step_px).astype(np.int64))
+    point = np.repeat(np.arange(len(px)), parts)
+    first = np.concatenate([[0], np.cumsum(parts)])
+    t = (np.arange(len(point)) - first[point]) / parts[point]
+    return first[offsets], point, t, in_space(t, depth[point], depth[np.minimum(point + 1, len(px) - 1)])
+
+
+def in_space(t, near, far):
+    """What is the share t of a line in the image, by the depths of its ends."""
+    return t * near / (far + t * (near - far))
+
+
 def sampled(strokes, step_px):
     """Samples at the middles of equal parts of each stroke, about `step_px` long."""
     sizes = np.diff(strokes.offsets)
@@ -66,8 +84,7 @@ def sampled(strokes, step_px):
     way = (strokes.px[after] - strokes.px[segment]).astype(np.float64)
     size = np.maximum(np.hypot(*way.T), 1e-12)
     t = np.clip((at - arc[segment]) / size, 0.0, 1.0)
-    near, far = strokes.depth[segment], strokes.depth[after]
-    s = t * near / (far + t * (near - far))  # linear in space where t is in the image
+    s = in_space(t, strokes.depth[segment], strokes.depth[after])
     return Samples(
         px=mixed(strokes.px, segment, t),
         direction=way / size[:, None],
@@ -84,4 +101,4 @@ def sampled(strokes, step_px):
 def mixed(values, segment, t):
     values = np.asarray(values, np.float64)
     t = t[:, None] if values.ndim > 1 else t
-    return values[segment] + t * (values[segment + 1] - values[segment])
+    return values[segment] + t * (values[np.minimum(segment + 1, len(values) - 1)] - values[segment])

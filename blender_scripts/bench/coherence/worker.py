@@ -13,6 +13,7 @@ sys.path.insert(0, str(Path(__file__).parents[2]))
 
 import bpy
 import numpy as np
+from mathutils.bvhtree import BVHTree
 
 from bench import coherence
 from bench.coherence import drawers, measures, motions, pictures
@@ -48,31 +49,41 @@ def view_now():
     return View(np.array(camera.matrix_world.inverted()), np.array(clip), size)
 
 
-def vertices_now():
-    """(V, 3) vertices in world space of the meshes that move, in the order of their names."""
-    graph, parts = bpy.context.evaluated_depsgraph_get(), []
-    for obj in sorted(bpy.context.scene.objects, key=lambda each: each.name):
-        if obj.type != "MESH" or not (obj.animation_data or any(m.type == "ARMATURE" for m in obj.modifiers)):
-            continue
+@dataclass(frozen=True)
+class Surfaces:
+    """All meshes of a frame in world space, in the order of their names."""
+
+    points: np.ndarray  # (V, 3)
+    triangles: np.ndarray  # (T, 3) of points
+
+
+def surfaces_now():
+    """The Surfaces of the scene; None if none of them moves."""
+    graph, parts, count = bpy.context.evaluated_depsgraph_get(), [], 0
+    meshes = sorted((obj for obj in bpy.context.scene.objects if obj.type == "MESH"), key=lambda each: each.name)
+    if not any(obj.animation_data or any(m.type == "ARMATURE" for m in obj.modifiers) for obj in meshes):
+        return None
+    for obj in meshes:
         mesh = obj.evaluated_get(graph).data
+        mesh.calc_loop_triangles()
         points = np.empty((len(mesh.vertices), 3), np.float32)
+        triangles = np.empty((len(mesh.loop_triangles), 3), np.int32)
         mesh.vertices.foreach_get("co", points.ravel())
+        mesh.loop_triangles.foreach_get("vertices", triangles.ravel())
         matrix = np.array(obj.matrix_world)
-        parts.append(points @ matrix[:3, :3].T + matrix[:3, 3])
-    return np.concatenate(parts) if parts else np.zeros((0, 3))
+        parts.append((points @ matrix[:3, :3].T + matrix[:3, 3], triangles + count))
+        count += len(points)
+    return Surfaces(*map(np.concatenate, zip(*parts)))
 
 
 def carried(points, before, after):
-    """Points that move as the nearest of the vertices `before`, which become those `after`."""
-    if not len(before):
+    """Points (n, 3) that move as the nearest triangles of the Surfaces `before`, which become those `after`; None:
+    nothing moves."""
+    if before is None or not len(points):
         return points
-    moved = np.empty_like(points)
-    square = (before**2).sum(axis=1)
-    for first in range(0, len(points), 512):
-        some = points[first : first + 512]
-        nearest = (square - 2 * some @ before.T).argmin(axis=1)
-        moved[first : first + 512] = some + after[nearest] - before[nearest]
-    return moved
+    tree = BVHTree.FromPolygons(before.points.tolist(), before.triangles.tolist())
+    nearest = before.triangles[[tree.find_nearest(point)[2] for point in points.tolist()]].T
+    return measures.carried(points, before.points[nearest], after.points[nearest])
 
 
 def main(asked):
@@ -86,13 +97,13 @@ def main(asked):
 def measured(asked, lines):
     """The row of a scene, a renderer and some kinds of lines."""
     drawer = built(asked, lines)
-    steady, traces, seconds, drawn, vertices = measures.Steadiness(), {}, [], [], None
+    steady, traces, seconds, drawn, surfaces = measures.Steadiness(), {}, [], [], None
     for k in range(1, asked["frames"] + 1):
         print(f"{lines} lines, frame {k} of {asked['frames']}", flush=True)
         seconds.append(draw(drawer, k))
-        view, last, vertices = view_now(), vertices, vertices_now()
+        view, last, surfaces = view_now(), surfaces, surfaces_now()
         strokes = drawer.polylines(view)
-        steady.see(strokes, lambda world: view.to_pixels(carried(world, last, vertices)))
+        steady.see(strokes, lambda world: view.to_pixels(carried(world, last, surfaces)))
         traces[k] = trace(drawer, strokes)
         drawn.append(strokes)
     if asked["pictures"]:

@@ -61,6 +61,13 @@ void RefinedSurface::move_cage(In<vec3> cage_positions, bool refit) {
     jets = std::move(limit_->patches->jets);
 }
 
+void RefinedSurface::set_cage_rest(In<vec3> positions) {
+    if (positions.empty()) return set_rest({});
+    limit_->patches->evaluate(name(), positions);
+    set_rest(limit_->patches->positions);
+    limit_->patches->jets = {};
+}
+
 Array<float> RefinedSurface::mix_corners(In<float> values, int columns, In<int> polygon_offsets) const {
     const std::vector<Cell>& cells = limit_->cells;
     const std::size_t cage_polygons = polygon_offsets.empty() ? 0 : polygon_offsets.size() - 1;

@@ -41,6 +41,9 @@ class RefinedSurface : public Surface {
     /// Moves the cage's vertices; topology and creases are unchanged. `refit`: see Surface::set_positions.
     void move_cage(In<vec3> positions, bool refit = false);
 
+    /// As set_rest, of the cage's vertices.
+    void set_cage_rest(In<vec3> positions);
+
     /// Interpolates values at the cage's polygon corners, `columns` numbers per corner, bilinearly to the corners of
     /// the refined mesh. `polygon_offsets`: those of the cage it was built from. Throws std::invalid_argument, naming
     /// the object, if the sizes do not match the cage.

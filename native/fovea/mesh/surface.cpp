@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 
 #include <fovea/base/check.h>
 #include <fovea/base/parallel.h>
@@ -144,6 +145,15 @@ void Surface::set_positions(In<vec3> moved, bool refit) {
     cache_->clear();
     if (!refit) lasting_cache_->clear();
     build_geometry();
+}
+
+void Surface::set_rest(In<vec3> at_rest) {
+    check(at_rest.empty() || at_rest.size() == vertex_count(),
+          name_ + ": " + std::to_string(at_rest.size()) + " rest positions for " + std::to_string(vertex_count()) +
+              " vertices; give one for each");
+    rest_.assign(at_rest.begin(), at_rest.end());
+    for (vec3& p : rest_)
+        if (!(std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z))) p = vec3(0.0f);
 }
 
 void Surface::set_field_options(const FieldOptions& options) {

@@ -126,6 +126,12 @@ class Surface : public SurfaceArrays {
     /// is kept and updated, not rebuilt: faster, and rays tell the same to the last bit.
     void set_positions(In<vec3> positions, bool refit = false);
 
+    /// Sets where the vertices are in the rest shape, before what deforms the surface; none: where they are. Throws
+    /// std::invalid_argument, naming the object, for another number of them.
+    void set_rest(In<vec3> positions);
+    /// Per vertex, object space; empty: `positions`. A stretched surface has none.
+    In<vec3> rest() const { return rest_; }
+
     /// Sets how fields are estimated; fields are cached per options. Throws std::invalid_argument, naming the object,
     /// for options out of range.
     void set_field_options(const FieldOptions& options);
@@ -229,6 +235,7 @@ class Surface : public SurfaceArrays {
     SurfaceReport report_;
     FieldOptions field_options_;
     Shape shape_ = Shape::automatic;
+    Array<vec3> rest_;
     const Surface* source_ = nullptr;
     dmat3 stretch_{1.0};
     std::unique_ptr<Cache> cache_ = std::make_unique<Cache>(), lasting_cache_ = std::make_unique<Cache>();

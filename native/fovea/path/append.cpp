@@ -16,6 +16,22 @@ void resize(Paths& paths, Index path_count, Index point_count) {
     resize_columns(paths, Paths::point_columns, point_count);
 }
 
+/// Where a point of a triangle, or right beside it, is in the surface's rest shape.
+dvec3 rest_of(const Surface& surface, Index triangle, const dvec3& point) {
+    const Triangle& t = surface.triangles[triangle];
+    const dvec3 normal = area_vector(surface.positions, t);
+    dvec3 weight;
+    for (int k = 0; k < 3; ++k) {
+        const dvec3 a(surface.positions[t[(k + 1) % 3]]), b(surface.positions[t[(k + 2) % 3]]);
+        weight[k] = std::max(glm::dot(glm::cross(b - a, point - a), normal), 0.0);
+    }
+    const double sum = weight.x + weight.y + weight.z;
+    weight = sum > 0.0 ? weight / sum : dvec3(1.0 / 3.0);
+    dvec3 at_rest(0.0);
+    for (int k = 0; k < 3; ++k) at_rest += weight[k] * dvec3(surface.rest()[t[k]]);
+    return at_rest;
+}
+
 }  // namespace
 
 void Appender::look_at(Index placement) {
@@ -52,10 +68,11 @@ Appender::Slot Appender::add_rows(Index placement, const Rows& rows, bool of_vie
     return slot;
 }
 
-/// line_set, free and id take a chain; point takes a point of the chains, and more(to, from) writes the rest of it.
-template <typename Chains, typename LineSet, typename Free, typename Id, typename Point, typename More>
+/// line_set, free and id take a chain; point takes a point of the chains, at_rest too, and more(to, from) writes the
+/// rest of it.
+template <typename Chains, typename LineSet, typename Free, typename Id, typename Point, typename AtRest, typename More>
 void Appender::write(const Chains& chains, Slot slot, const LineSet& line_set, const Free& free, const Id& id,
-                     const Point& point, const More& more, Paths& paths) const {
+                     const Point& point, const AtRest& at_rest, const More& more, Paths& paths) const {
     parallel_for(chosen_.size(), 256, [&](std::size_t k) {
         const Index c = chosen_[k], begin = chains.rows.begin(c);
         const std::size_t p = slot.path + k, to = paths.rows.offsets[p];
@@ -67,7 +84,7 @@ void Appender::write(const Chains& chains, Slot slot, const LineSet& line_set, c
         paths.id[p] = id(c);
         double arc = 0.0;
         for (Index i = 0; i < chains.rows.size(c); ++i) {
-            if (i > 0) arc += glm::distance(dvec3(point(begin + i - 1)), dvec3(point(begin + i)));
+            if (i > 0) arc += glm::distance(at_rest(begin + i - 1), at_rest(begin + i));
             paths.points_obj[to + i] = point(begin + i);
             paths.arc_obj[to + i] = arc;
             more(to + i, begin + i);
@@ -84,6 +101,7 @@ void Appender::append(Index placement, const EdgeChains& found, bool of_view, Pa
     write(
         chains, slot, [&](Index c) { return chains.label[c]; }, [&](Index c) { return found.free[c]; },
         [&](Index c) { return hash_numbers(object, chains.anchor[c]); }, point,
+        [&](Index i) { return dvec3(surface.rest().empty() ? point(i) : surface.rest()[chains.vertex[i]]); },
         [&](std::size_t to, Index i) {
             paths.place[to] = chains.edge[i];
             paths.edge_t[to] = surface.edges[chains.edge[i]].x == chains.vertex[i] ? 0.0f : 1.0f;
@@ -106,6 +124,11 @@ void Appender::append(Index placement, const FoundCurves& found, bool of_view, P
         chains, slot, [&](Index) { return found.line_set; },
         [&](Index c) { return line_definitions()[found.definition]->ends_at_lines ? 0 : chains.free[c]; },
         [&](Index c) { return hash_numbers(object, found.definition + 1, chains.anchor[c]); }, point,
+        [&](Index i) {
+            const dvec3 here(point(i));
+            const bool deformed = placed && !placed->surface->rest().empty();
+            return deformed ? rest_of(*placed->surface, chains.triangle[i], here) : here;
+        },
         [&](std::size_t to, Index i) {
             paths.place[to] = placed ? placed->surface->place_of_triangle(chains.triangle[i]) : none;
             paths.edge_t[to] = 0.0f;

@@ -28,9 +28,10 @@ class Appender {
     /// Chooses the chains to write, and adds rows for them. `point`: position of a point of the chains.
     template <typename Point>
     Slot add_rows(Index placement, const Rows& rows, bool of_view, const Point& point, Paths& paths);
-    template <typename Chains, typename LineSet, typename Free, typename Id, typename Point, typename More>
+    template <typename Chains, typename LineSet, typename Free, typename Id, typename Point, typename AtRest,
+              typename More>
     void write(const Chains& chains, Slot slot, const LineSet& line_set, const Free& free, const Id& id,
-               const Point& point, const More& more, Paths& paths) const;
+               const Point& point, const AtRest& at_rest, const More& more, Paths& paths) const;
     /// Length in the image; infinite if an end is not in front of the near plane.
     double length_px(const vec3& a, const vec3& b) const;
     void look_at(Index placement);

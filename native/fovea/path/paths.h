@@ -41,7 +41,9 @@ struct Paths {
                "(P,) uint8: nonzero if the path depends on the view; 2: a contour whose ends are cusps"}};
     static constexpr std::tuple point_columns{
         Column{"points_obj", &Paths::points_obj, "(N, 3) float32"},
-        Column{"arc_obj", &Paths::arc_obj, "(N,) float64 arc length from the path's start, object units"},
+        Column{
+            "arc_obj", &Paths::arc_obj,
+            "(N,) float64 arc length from the path's start, object units; in the surface's rest shape, if it has one"},
         Column{"place", &Paths::place,
                "(N,) uint32 where the segment from this point lies: an edge, or the number of edges + a triangle; the "
                "last: as before"},
