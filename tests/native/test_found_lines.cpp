@@ -80,6 +80,7 @@ TEST(FoundLines, ContentIsTheSameForTheSameAndAnotherWithWhateverLinesDependOn) 
         {"color of a light", [](Told& t) { t.scene.lights[0].color.y = 0.5f; }},
         {"section", [](Told& t) { t.scene.section = dvec4(0, 0, 1, -0.2); }},
         {"vertex", [](Told& t) { t.surface().positions[5].z += 0.1f; }},
+        {"vertex at rest", [](Told& t) { t.surface().set_rest(std::vector<vec3>(t.surface().vertex_count())); }},
         {"mark", [](Told& t) { t.surface().edge_marks[2] ^= mesh::mark_edge; }},
         {"material", [](Told& t) { t.surface().polygon_material[3] = 1; }},
         {"shape", [](Told& t) { t.surface().set_shape(mesh::Shape::smooth); }},

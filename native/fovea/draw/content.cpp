@@ -41,8 +41,8 @@ In<double> numbers_of(const Matrix& matrix) {
 std::uint64_t content_of(const Surface& s) {
     const mesh::FieldOptions& o = s.field_options();
     Content content;
-    content.add(In<vec3>(s.positions.data(), s.vertex_count()), s.jets, s.edges, s.edge_marks, s.polygon_material,
-                s.polygon_one_sided, s.triangles, s.triangle_facet, s.facet_polygon);
+    content.add(In<vec3>(s.positions.data(), s.vertex_count()), s.rest(), s.jets, s.edges, s.edge_marks,
+                s.polygon_material, s.polygon_one_sided, s.triangles, s.triangle_facet, s.facet_polygon);
     if (s.corner_count() > 0) content.add(In<Index>(s.polygon_vertices(0).data(), s.corner_count()));
     content.add_numbers(s.mesh_edges, s.occluding_triangles, s.two_sided_triangles, s.shape(), o.estimator, o.degree,
                         o.rings);
