@@ -258,16 +258,14 @@ def passing(name, path):
     for settings in pages.PASSING[name]:
         motions.build(name, pages.ANIMATION_FRAMES, SHARED)
         scene, shown = bpy.context.scene, []
-        camera = scene.camera.matrix_world.copy()
         set_drawing(scene, draw_options.parse(words), pages.PASSING_PEN | settings)
-        scene.camera.matrix_world = camera
         for k in range(pictures.FRAMES):
             scene.frame_set(pages.ANIMATION_FRAMES // 2 - 1 + k)
             picture.render(scene, path)
             shown.append(halved(sheet.gray(path)))
         everything = slice(None), slice(width // 5, width - width // 5)
         rows.append(pictures.strip(shown, everything))
-    made = np.vstack([np.pad(row, ((4, 4), (0, 0)), constant_values=1.0) for row in rows])
+    made = np.vstack([np.pad(row, ((4, 4), (0, 0)), constant_values=1.0) for row in rows[::-1]])
     return np.round(made * (FEW_GREYS - 1)) / (FEW_GREYS - 1)
 
 

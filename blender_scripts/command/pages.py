@@ -183,7 +183,7 @@ PASSING_PEN = {"pen.width": 9.0}
 PASSING = {  # scene with motion -> settings of each row of its picture
     "passing": [
         {"animation.visibility_frames": 0},
-        *({"animation.visibility_frames": 3, "animation.vanish": how} for how in ("FADE", "BREAK_UP", "RETRACT")),
+        *({"animation.visibility_frames": 2, "animation.vanish": how} for how in ("FADE", "BREAK_UP", "RETRACT")),
     ]
 }
 STEPS = ("1_engine", "2_rendered", "3_style", "4_focus", "5_pull")  # pictures of first_drawing.md

@@ -13,7 +13,7 @@ from ..visibility.worker import middle
 ORBIT = math.radians(0.25)  # a frame
 TURN = math.radians(1)
 DOLLY = 0.05  # scene units a frame
-PASS = 0.3  # scene units a frame
+PASS = 0.15  # scene units a frame
 ZOOM = 4 ** (1 / 96)  # four times as large in 96 frames
 STRIDE = 24  # frames of a walk cycle
 

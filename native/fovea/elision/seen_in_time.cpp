@@ -35,10 +35,11 @@ class Mapped {
         const auto place = [&](double arc) {
             return glm::mix(here.from, here.to, (std::clamp(arc, low, high) - other.from) / length);
         };
-        for (const Stretch& stretch : there_.stretches[other.path]) {
-            if (stretch.to <= low || stretch.from >= high) continue;
-            const double a = place(stretch.from), b = place(stretch.to);
-            out.push_back({std::min(a, b), std::max(a, b), stretch.seen});
+        const In<Stretch> stretches = there_.stretches[other.path];
+        auto stretch = std::ranges::upper_bound(stretches, low, {}, &Stretch::to);
+        for (; stretch != stretches.end() && stretch->from < high; ++stretch) {
+            const double a = place(stretch->from), b = place(stretch->to);
+            out.push_back({std::min(a, b), std::max(a, b), stretch->seen});
         }
     }
 
@@ -106,10 +107,9 @@ void spans_above(In<Ramp> ramps, float least, const ClippedPaths& clipped, const
 
 std::vector<std::vector<Ramp>> seen_in_time(const Paths& paths, const SeenLines& now, In<SeenNear> near, int frames) {
     std::vector<std::optional<Mapped>> mapped(2 * frames + 1);
-    for (const auto& [away, lines] : near) {
+    for (const auto& [away, lines] : near)
         check(away != 0 && std::abs(away) <= frames, "visibility in time: a frame is not near by");
-        mapped[frames + away].emplace(now, *lines);
-    }
+    parallel_for(near.size(), 1, [&](std::size_t k) { mapped[frames + near[k].first].emplace(now, *near[k].second); });
     auto parts = lists_of<Index>(paths.count(), [&](const auto& give) {
         for (Index i = 0; i < now.parts.size(); ++i) give(now.parts[i].path, i);
     });
