@@ -6,6 +6,8 @@
 #include <fovea/draw/frame.h>
 #include <fovea/focus/at_samples.h>
 #include <fovea/style/json.h>
+#include <fovea/vector/center_lines.h>
+#include <fovea/vector/compose.h>
 
 #include "drawing.h"
 
@@ -107,6 +109,25 @@ TEST(OverFrames, TheInkIsTheTrapezoid) {
             EXPECT_NEAR(ink[column], trapezoid(x, 0.2, 0.15, 2), 0.03) << x;
         }
     }
+}
+
+TEST(OverFrames, CenterLinesForGreasePencilAndPathsOfFilesFadeAsWell) {
+    const auto frame = middle_of(2, style_of(2), [&](int k) { return std::optional(0.15 * k); });
+    const vector::CenterLines lines = vector::center_lines_of(*frame);
+    int partial = 0;
+    for (std::size_t i = 0; i < lines.opacity.size(); ++i) {
+        const vec3& at = lines.position_view[i];
+        if (std::abs(std::abs(at.y) - 1.0f) > 1e-3f || std::abs(at.x) > 0.98f) continue;
+        EXPECT_NEAR(lines.opacity[i], trapezoid(at.x, 0.2, 0.15, 2), 0.03) << at.x;
+        partial += lines.opacity[i] > 0.1f && lines.opacity[i] < 0.9f;
+    }
+    EXPECT_GT(partial, 4);
+    const vector::Drawing drawing = vector::compose(*frame, {});
+    int faded = 0;
+    vector::for_each_path(drawing.document.layers, [&](const vector::Path& path) {
+        faded += path.look.opacity > 0.1 && path.look.opacity < 0.9;
+    });
+    EXPECT_GT(faded, 4);
 }
 
 TEST(OverFrames, WithoutItNothingOfFramesNearCounts) {

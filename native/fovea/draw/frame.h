@@ -106,8 +106,7 @@ class Frame {
     bool lasts() const;
     /// Name of the method of visibility, and its quality, for reports.
     std::string visibility_in_words() const;
-    /// What is found of this frame's lines, without neighboring frames. Runs the steps up to
-    /// filter().
+    /// What is found of this frame's lines, without neighboring frames. Runs the steps up to filter().
     std::shared_ptr<const FoundLines> found_lines();
     /// Takes over what was found of a frame of the same content (content.h), style, options and backend: the steps up
     /// to filter() need not run.

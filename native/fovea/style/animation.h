@@ -12,7 +12,7 @@ enum class Vanish : std::uint8_t { fade, shrink, break_up, retract };
 template <>
 inline constexpr Choice choices_of<Vanish>[] = {
     {"fade", "Fade", "Their opacity is the share of the time for which they are seen"},
-    {"shrink", "Shrink", "Their width is"},
+    {"shrink", "Shrink", "Their width is the share of the time for which they are seen"},
     {"break_up", "Break Up", "They break up into blots of ink, which shrink"},
     {"retract", "Retract", "Their ends are where they are seen for half of the time"},
 };
