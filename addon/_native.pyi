@@ -314,6 +314,10 @@ class style:
         def start_frame(self) -> int: ...
         @property
         def written(self) -> float: ...
+        @property
+        def visibility_frames(self) -> int: ...
+        @property
+        def vanish(self) -> str: ...
         fields: ClassVar[tuple]
         def held(self, frame: int) -> int:
             """The frame whose drawing stands at a frame."""
@@ -1350,11 +1354,11 @@ class Frame:
         backend: Backend | None=None,
         overrides: Overrides | None=None,
         colors: ColorSources | None=None,
-        near: Mapping[int, ShownLines]={},
+        near: Mapping[int, NearLines]={},
         cancel: Cancel | None=None,
         progress: Callable | None=None,
     ) -> None:
-        """near: {how many frames later another is: its ShownLines}; progress(share, stage) is called before each
+        """near: {how many frames later another is: its NearLines}; progress(share, stage) is called before each
         stage."""
     def find(self) -> None: ...
     def see(self) -> None: ...
@@ -1367,6 +1371,7 @@ class Frame:
         """{name: pixels, or None}, of line_sets {name of the set: pixels}, of mattes [pixels]; they are handed over,
         once."""
     def thins(self) -> bool: ...
+    def lasts(self) -> bool: ...
     def found_lines(self) -> FoundLines: ...
     def take_over(self, same: FoundLines) -> None:
         """Takes over the FoundLines of a Frame of the same content (content_of), style, options and backend."""
@@ -1426,11 +1431,16 @@ class Frame:
     def stages(self) -> dict[str, float]:
         """{stage: milliseconds}, in the order in which they ran"""
 
+class NearLines:
+    """Lines of a frame as neighboring frames need them."""
+
 class FoundLines:
-    """What a frame has found of its lines, up to their elision without neighboring frames."""
+    """What a frame has found of its lines, without neighboring frames."""
+    @property
+    def near_lines(self) -> NearLines: ...
     @property
     def shown_lines(self) -> ShownLines:
-        """as neighboring frames need them"""
+        """what elision leaves of them; None: there is no elision"""
     @property
     def bytes(self) -> int:
         """about"""

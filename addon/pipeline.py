@@ -14,9 +14,9 @@ FOLDER = Path(__file__).parent  # contains the bundled textures and papers
 
 @dataclass(frozen=True)
 class Near:
-    """What is known of the frames near one, and of that one, of an animation whose line thinning is smoothed."""
+    """What is known of the frames near one, and of that one, of an animation whose lines answer to them."""
 
-    lines: dict  # {frame offset: native ShownLines}
+    lines: dict  # {frame offset: native NearLines}
     same: object = None  # native FoundLines of the frame itself; None: its lines are to be found
     keep: Callable | None = None  # called with its FoundLines when its picture is made
 
@@ -81,9 +81,11 @@ def draw(scene, view, chosen, backend, asked, near=None, also=None, **beside):
 
 
 def frames_near(chosen, asked):
-    """Number of frames before and after a frame over which elision is smoothed; 0 without elision and with the spine
+    """Number of frames before and after a frame that its lines answer to, by elision or by visibility; 0 with the spine
     test."""
-    return chosen.elision.frames if chosen.elision.enabled and asked.visibility != "spine" else 0
+    if asked.visibility == "spine":
+        return 0
+    return max(chosen.elision.frames if chosen.elision.enabled else 0, chosen.animation.visibility_frames)
 
 
 @lru_cache(maxsize=1)

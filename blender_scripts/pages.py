@@ -250,8 +250,28 @@ def moving(name, path):
     return np.round(made * (FEW_GREYS - 1)) / (FEW_GREYS - 1)
 
 
+def passing(name, path):
+    """(H, W) frames of a scene in motion, in a row for each way in which lines come and go, supersampled by 2."""
+    width, height = pages.ANIMATION_SIZE
+    words = ["--style", "plain", "--lines", "contour,crease", "--size", f"{2 * width}x{2 * height}", "-o", str(path)]
+    rows = []
+    for settings in pages.PASSING[name]:
+        motions.build(name, pages.ANIMATION_FRAMES, SHARED)
+        scene, shown = bpy.context.scene, []
+        set_drawing(scene, draw_options.parse(words), pages.PASSING_PEN | settings)
+        for k in range(pictures.FRAMES):
+            scene.frame_set(pages.ANIMATION_FRAMES // 2 - 1 + k)
+            picture.render(scene, path)
+            shown.append(halved(sheet.gray(path)))
+        everything = slice(None), slice(width // 5, width - width // 5)
+        rows.append(pictures.strip(shown, everything))
+    made = np.vstack([np.pad(row, ((4, 4), (0, 0)), constant_values=1.0) for row in rows[::-1]])
+    return np.round(made * (FEW_GREYS - 1)) / (FEW_GREYS - 1)
+
+
 def animation(name, path):
-    return following(name, path) if name in pages.FOLLOWING else moving(name, path)
+    drawn_by = {**dict.fromkeys(pages.FOLLOWING, following), **dict.fromkeys(pages.PASSING, passing)}
+    return drawn_by.get(name, moving)(name, path)
 
 
 DRAWN_BY = {

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Neighboring frames of the rendered one, for elision smoothed in time.
+"""Neighboring frames of the rendered one, for elision and visibility over frames.
 
 They are evaluated in the render's depsgraph, as engines do for motion blur, also outside the scene's frame range: so a
 frame rendered alone equals that of the animation (simulations must be baked). Final renders only.
@@ -25,7 +25,7 @@ class Looked:
     """What was found of a frame."""
 
     content: tuple  # of `content`
-    found: object  # native FoundLines; None if nothing is elided there
+    found: object  # native FoundLines; None if its lines do not answer to frames
     used: int = 0  # time of its last use, from `kept.now`
 
     @property
@@ -73,8 +73,8 @@ _rendering = False  # whether a render is in progress, during which a scene chan
 
 def near(engine, depsgraph, frames, look):
     """The Near of the frame that is rendered, of so many frames to each side. look() gives the Looked of the frame that
-    the depsgraph is evaluated at. Left out are frames where nothing is elided, and those with another active camera,
-    which are beyond a cut."""
+    the depsgraph is evaluated at. Left out are frames whose lines do not answer to others, and those with another
+    active camera, which are beyond a cut."""
     lines, own = {}, _key(engine, depsgraph)
     _frames.leave(own, frames)
     with other_frames(engine, depsgraph.scene) as go:
@@ -88,7 +88,7 @@ def near(engine, depsgraph, frames, look):
                 looked = look()
                 _keep(key, looked)
             if looked.found:
-                lines[away] = looked.found.shown_lines
+                lines[away] = looked.found.near_lines
     return Near(lines)
 
 

@@ -111,7 +111,7 @@ def gather(engine, depsgraph, chosen, viewport=None, with_colors=True, cancel=No
 
 def draw(found, seen, chosen, backend, options, progress, cancel, near=None, also=None):
     """The Image of a Read scene in a native View; accesses no Blender data unless the backend does. `near`: a
-    pipeline.Near, for elision smoothed in time. `also`: as for `pipeline.draw`."""
+    pipeline.Near, for lines that answer to frames near this one. `also`: as for `pipeline.draw`."""
     beside = {"colors": found.colors, "notes": found.notes, "near": near, "also": also}
     return pipeline.draw(found.placed, seen, chosen, backend, options, **beside, progress=progress, cancel=cancel)
 
@@ -162,8 +162,8 @@ def final(engine, depsgraph, make=draw, *, chosen=None, lines_alone=False, tell=
 
 
 def lines_near(engine, depsgraph, styled, backend, options, cancel=None):
-    """The pipeline.Near of a final render, for elision smoothed in time; else None. `styled(depsgraph)`: its Style,
-    with the animated values of the frame that it is evaluated at."""
+    """The pipeline.Near of a final render, for lines that answer to frames near it; else None. `styled(depsgraph)`: its
+    Style, with the animated values of the frame that it is evaluated at."""
     frames = pipeline.frames_near(styled(depsgraph), options)
     look = partial(_look, engine, depsgraph, styled, backend, options, cancel)
     return near_frames.near(engine, depsgraph, frames, look) if frames else None
@@ -181,7 +181,7 @@ def _look(engine, depsgraph, styled, backend, options, cancel):
     beside = {"notes": found.notes, "progress": progress, "cancel": cancel}
     frame = pipeline.frame(found.placed, seen, chosen, backend, options, **beside)
     content = near_frames.content(found, seen, chosen, options, backend)
-    return near_frames.Looked(content, frame.found_lines() if frame.thins() else None)
+    return near_frames.Looked(content, frame.found_lines() if frame.thins() or frame.lasts() else None)
 
 
 @contextmanager

@@ -17,3 +17,5 @@ class RENDER_PT_fovea_animation(StylePanel, bpy.types.Panel):
         draw_properties(layout, animation, ("written", "hold", "boil"))
         draw_properties(layout, animation, ("boil_hold", "boil_cycle"), boils)
         draw_properties(layout, animation, ("start_frame",), boils or animation.hold > 1)
+        draw_properties(layout, animation, ("visibility_frames",))
+        draw_properties(layout, animation, ("vanish",), animation.visibility_frames > 0)

@@ -179,6 +179,13 @@ FOLLOWING = {  # what changes between drawings of a monkey -> settings of each f
     "boil": [{"animation.boil": 1.0, "animation.boil_hold": 1}] * 4,
     "written": [{"animation.written": share} for share in (0.25, 0.5, 0.75, 1.0)],
 }
+PASSING_PEN = {"pen.width": 9.0}
+PASSING = {  # scene with motion -> settings of each row of its picture
+    "passing": [
+        {"animation.visibility_frames": 0},
+        *({"animation.visibility_frames": 2, "animation.vanish": how} for how in ("FADE", "BREAK_UP", "RETRACT")),
+    ]
+}
 STEPS = ("1_engine", "2_rendered", "3_style", "4_focus", "5_pull")  # pictures of first_drawing.md
 
 
@@ -197,7 +204,7 @@ COMPARE = {"overlay": Pair(*BUNNY, (("contour", "suggestive_contour"), ("contour
 GROUPS = {
     "lines": LINES, "sections": SECTIONS, "way": WAY, "focus": FOCUS, "strokes": STROKES, "painted": PAINTED,
     "situations": SITUATIONS, "over": OVER, "transfers": TRANSFERS, "grease_pencil": GREASE_PENCIL,
-    "animation": ANIMATION | FOLLOWING, "compare": COMPARE, "vectors": VECTORS, "farm": FARM,
+    "animation": ANIMATION | FOLLOWING | PASSING, "compare": COMPARE, "vectors": VECTORS, "farm": FARM,
 }  # fmt: skip
 
 

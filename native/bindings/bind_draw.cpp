@@ -55,7 +55,7 @@ class PythonBackend : public Backend {
     static py::object frame_of(const Frame& frame) { return py::cast(&frame, py::return_value_policy::reference); }
 };
 
-using Near = std::map<int, std::shared_ptr<ShownLines>>;
+using Near = std::map<int, NearLines>;
 
 std::shared_ptr<Frame> make_frame(std::shared_ptr<Scene> scene, const View& view, const style::Style& style,
                                   const Options& options, std::shared_ptr<Assets> assets,
@@ -133,11 +133,13 @@ void bind_backend(py::module_& m) {
 }
 
 void bind_found_lines(py::module_& m) {
+    py::class_<NearLines>(m, "NearLines", "Lines of a frame as neighboring frames need them.");
     py::class_<FoundLines, std::shared_ptr<FoundLines>>(
-        m, "FoundLines", "What a frame has found of its lines, up to their elision without neighboring frames.")
+        m, "FoundLines", "What a frame has found of its lines, without neighboring frames.")
+        .def_property_readonly("near_lines", [](const FoundLines& found) { return found.lines; })
         .def_property_readonly(
-            "shown_lines", [](const FoundLines& found) { return mutable_pointer(found.lines); },
-            "as neighboring frames need them")
+            "shown_lines", [](const FoundLines& found) { return mutable_pointer(found.lines.shown); },
+            "what elision leaves of them; None: there is no elision")
         .def_property_readonly("bytes", &FoundLines::bytes, "about");
 }
 
@@ -187,7 +189,7 @@ void bind_steps(FrameClass& frame) {
              py::arg("overrides") = nullptr, py::arg("colors") = nullptr, py::arg("near") = Near(),
              py::arg("cancel") = nullptr, py::arg("progress") = py::none(), py::keep_alive<1, 7>(),
              py::keep_alive<1, 8>(),
-             R"(near: {how many frames later another is: its ShownLines}; progress(share, stage) is called before each
+             R"(near: {how many frames later another is: its NearLines}; progress(share, stage) is called before each
 stage.)")
         .def("find", &Frame::find, NoGil())
         .def("see", &Frame::see, NoGil())
@@ -201,6 +203,7 @@ stage.)")
              "over, "
              "once.")
         .def("thins", &Frame::thins)
+        .def("lasts", &Frame::lasts)
         .def(
             "found_lines", [](Frame& frame) { return mutable_pointer(frame.found_lines()); }, NoGil())
         .def("take_over", &Frame::take_over, NoGil(), py::arg("same"),

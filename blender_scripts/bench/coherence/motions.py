@@ -13,6 +13,7 @@ from ..visibility.worker import middle
 ORBIT = math.radians(0.25)  # a frame
 TURN = math.radians(1)
 DOLLY = 0.05  # scene units a frame
+PASS = 0.15  # scene units a frame
 ZOOM = 4 ** (1 / 96)  # four times as large in 96 frames
 STRIDE = 24  # frames of a walk cycle
 
@@ -124,6 +125,24 @@ def swings():
     }
 
 
+def passing(frames, shared):
+    """A pole passes before a rack."""
+    from scenes import shapes
+
+    stage.clear()
+    stage.frame()
+    for k in range(6):
+        stage.link("Shelf", shapes.box("Shelf", (7.0, 0.6, 0.12), (0, 0, 0.6 * k)))
+    pole = stage.link("Pole", shapes.box("Pole", (0.5, 0.5, 6.0), (0, -2.0, -1.5)))
+    stage.camera((0, -9, 3.2), (0, 0, 1.4))
+    stage.sun(-60, 50)
+
+    def pose(k):
+        pole.location.x = PASS * (k + 0.5 - 0.5 * frames)
+
+    key(pole, ("location",), frames, pose)
+
+
 def key(owner, paths, frames, pose):
     """Keys properties at each frame, as pose(k) leaves them k frames after the first."""
     for k in range(frames):
@@ -132,4 +151,4 @@ def key(owner, paths, frames, pose):
             owner.keyframe_insert(path, frame=k + 1)
 
 
-by_name = {"orbit": orbit, "turntable": turntable, "dolly": dolly, "zoom": zoom, "walk": walk}
+by_name = {"orbit": orbit, "turntable": turntable, "dolly": dolly, "zoom": zoom, "walk": walk, "passing": passing}

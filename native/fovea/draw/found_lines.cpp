@@ -26,17 +26,23 @@ std::size_t bytes_of(const Structure& structure, const Columns&... groups) {
 std::size_t FoundLines::bytes() const {
     return bytes_of(*paths, Paths::path_columns, Paths::point_columns) +
            bytes_of(*clipped, ClippedPaths::piece_columns, ClippedPaths::point_columns) +
-           bytes_of(*visible, Runs::columns) + bytes_of(*runs, Runs::columns) + bytes_of(lines->places.samples) +
-           bytes_of(lines->places.parts) + bytes_of(samples) + bytes_of(focus) + bytes_of(distance) + bytes_of(shown);
+           bytes_of(*visible, Runs::columns) + bytes_of(*runs, Runs::columns) + bytes_of(samples) + bytes_of(focus) +
+           bytes_of(distance) + bytes_of(shown) +
+           (lines.shown ? bytes_of(lines.shown->places.samples) + bytes_of(lines.shown->places.parts) : 0) +
+           (lines.seen ? bytes_of(lines.seen->stretches.values) + bytes_of(lines.seen->parts) : 0);
 }
 
 std::shared_ptr<const FoundLines> Frame::found_lines() {
     filter();
     if (found_) return found_;
     const Cancelling scope(job.cancel.get());
-    FoundLines found{paths, clipped, visible, runs, samples, focus, distance, left(0.0f), nullptr, stages};
-    found.lines = std::make_shared<ShownLines>(
-        elision::shown_lines(*clipped, *paths, *job.scene, *runs, found.shown, job.view.width, job.view.height));
+    FoundLines found{paths, clipped, visible, runs, samples, focus, distance, {}, {}, stages};
+    if (thins()) {
+        found.shown = left(0.0f);
+        found.lines.shown = std::make_shared<ShownLines>(
+            elision::shown_lines(*clipped, *paths, *job.scene, *runs, found.shown, job.view.width, job.view.height));
+    }
+    if (lasts()) found.lines.seen = std::make_shared<SeenLines>(seen_lines(*clipped, *paths, *job.scene, with_halos()));
     found_ = std::make_shared<FoundLines>(std::move(found));
     return found_;
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdlib>
 
 #include <fovea/base/check.h>
 #include <fovea/color/map.h>
@@ -145,7 +146,10 @@ void Frame::thin() {
                 return;
             }
             const auto now = found_lines();
-            shown = smoothed_in_time(now->shown, *now->lines, job.near, elision.frames);
+            std::vector<FrameNear> near;
+            for (const auto& [away, lines] : job.near)
+                if (lines.shown && std::abs(away) <= elision.frames) near.emplace_back(away, lines.shown);
+            shown = smoothed_in_time(now->shown, *now->lines.shown, near, elision.frames);
             for (float& opacity : shown)
                 if (opacity < cut) opacity = 0.0f;
         });
@@ -157,7 +161,7 @@ void Frame::shape() {
     if (has(Step::shape)) return;
     check(job.assets != nullptr, "frame: there are no assets");
     stage("shape", 0.05, [&] {
-        Runs found = with_ends();
+        Runs found = with_ends(over_frames(with_halos()));
         pens = pens_of(job.style, *job.assets, scale());
         if (job.options.outlines.empty())
             pen_of_run_ = pens_of_runs(*clipped, found, paths->line_set, pens.ranges);
@@ -187,6 +191,7 @@ Emphasis Frame::emphasis(In<float> opacity) const {
     return {.focus = focus,
             .distance = distance,
             .shown = opacity,
+            .seen = seen,
             .color = transfer_of(effects.color),
             .texture = transfer_of(effects.texture),
             .width = transfer_of(effects.width),
@@ -197,27 +202,32 @@ Emphasis Frame::emphasis(In<float> opacity) const {
 
 Inking Frame::inking(In<float> opacity) const {
     check(drawn != nullptr, "frame: its strokes are not made yet");
-    Inking made{*clipped,          *drawn,    pen_of_run_, paths->strength, pens.pens, samples,
+    Inking made{*clipped,          *drawn,    pen_of_run_,
+                paths->strength,   pens.pens, at_ends_.empty() ? samples : at_ends_,
                 emphasis(opacity), paths->id, paths.get()};
     made.paints = pen_paints_.of_pens();
     const style::Animation& animation = job.style.animation;
-    made.moment = {animation.boil, job.options.boil_drawing, animation.written};
+    made.moment = {animation.boil, job.options.boil_drawing, animation.written, animation.vanish};
     return made;
 }
 
 Strokes Frame::strokes_with(In<float> opacity) const { return tessellate(inking(opacity)); }
 
-/// Runs for strokes: with haloes, contours extended to meet other lines, and overshoot. Overshoot is at most a quarter
-/// of a line's length.
-Runs Frame::with_ends() const {
-    std::vector<double> halos, near, away;
+Runs Frame::with_halos() const {
+    std::vector<double> halos;
+    for (const style::LineSet& set : job.style.line_sets) halos.push_back(set.halo);
+    return halo(*clipped, *runs, by_path(*paths, scale(), halos), paths->of_view);
+}
+
+/// Runs for strokes: with contours extended to meet other lines, and overshoot. Overshoot is at most a quarter of a
+/// line's length.
+Runs Frame::with_ends(const Runs& runs) const {
+    std::vector<double> near, away;
     for (const style::LineSet& set : job.style.line_sets) {
-        halos.push_back(set.halo);
         near.push_back(set.overshoot);
         away.push_back(set.overshoot_away.value_or(set.overshoot));
     }
-    const Runs shorter = halo(*clipped, *runs, by_path(*paths, scale(), halos), paths->of_view);
-    const Runs joined = meet_ends(*clipped, shorter, paths->of_view, paths->placement, job.options.meet * scale());
+    const Runs joined = meet_ends(*clipped, runs, paths->of_view, paths->placement, job.options.meet * scale());
     const Array<double> lengths = lengths_in_frame(*paths, *clipped);
     const auto reach = [&](const std::vector<double>& of_set) {
         Array<float> amounts = by_path(*paths, scale(), of_set);
@@ -233,6 +243,10 @@ Runs Frame::with_ends() const {
 }
 
 bool Frame::thins() const { return job.style.elision.enabled && !method_of(job.options.visibility).in_strokes; }
+
+bool Frame::lasts() const {
+    return job.style.animation.visibility_frames > 0 && !method_of(job.options.visibility).in_strokes;
+}
 
 std::string Frame::visibility_in_words() const {
     const Options& o = job.options;

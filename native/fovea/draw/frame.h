@@ -46,7 +46,7 @@ struct Job {
     std::shared_ptr<const Assets> assets = {};
     std::shared_ptr<Backend> backend = {};
     std::optional<ColorSources> colors = {};  ///< none: no color layer, whatever the style says
-    std::vector<FrameNear> near = {};         ///< neighboring frames, for temporal smoothing of elision
+    std::vector<LinesNear> near = {};         ///< neighboring frames, for elision and visibility over them
     std::shared_ptr<const Cancel> cancel = std::make_shared<Cancel>();
     /// Called before each stage with the fraction done, in [0, 1], and the stage's name.
     std::function<void(double, const std::string&)> progress = {};
@@ -89,7 +89,8 @@ class Frame {
     // By thin():
     Array<float> shown;  ///< elision opacity per atlas sample, in [0, 1]; empty: 1
     // By shape():
-    std::shared_ptr<const Runs> drawn;  ///< with haloes and overshoot
+    Array<float> seen;                  ///< share of the time per atlas sample, in [0, 1]; empty: 1
+    std::shared_ptr<const Runs> drawn;  ///< with haloes and overshoot, and what is seen in frames near this one
     std::shared_ptr<const Strokes> strokes;
     Pens pens;
     // By picture(); its lines by ink():
@@ -101,10 +102,11 @@ class Frame {
 
     /// Whether elision applies: the style enables it, and visibility is known before strokes are drawn.
     bool thins() const;
+    /// Whether visibility counts over frames: the style says so, and it is known before strokes are drawn.
+    bool lasts() const;
     /// Name of the method of visibility, and its quality, for reports.
     std::string visibility_in_words() const;
-    /// What is found of this frame's lines, up to their elision without neighboring frames. Runs the steps up to
-    /// filter().
+    /// What is found of this frame's lines, without neighboring frames. Runs the steps up to filter().
     std::shared_ptr<const FoundLines> found_lines();
     /// Takes over what was found of a frame of the same content (content.h), style, options and backend: the steps up
     /// to filter() need not run.
@@ -140,7 +142,9 @@ class Frame {
     bool has(Step step) const { return done_ >= step; }
     void stage(const char* name, double share, const std::function<void()>& body);
     void unfold();
-    Runs with_ends() const;
+    Runs with_halos() const;
+    Runs over_frames(Runs runs);
+    Runs with_ends(const Runs& runs) const;
     std::pair<Runs, Array<Index>> outlined(const Runs& runs) const;
     Array<float> left(float cut);
     Painted painted(const std::string& attribute) const;
@@ -154,6 +158,7 @@ class Frame {
     void put_on_paper(In<vec4> lines, In<vec4> colors, Array<vec4>& out) const;
 
     Array<Index> pen_of_run_;
+    Array<float> at_ends_;  // as `samples`, where those are not of what is drawn
     std::shared_ptr<const FoundLines> found_;
     PenPaints pen_paints_;
     Step done_ = Step::none;

@@ -20,6 +20,20 @@ ShownLines shown_lines(const ClippedPaths& clipped, const Paths& paths, const Sc
     return lines;
 }
 
+namespace {
+
+double value_at(const ShownLines& lines, const MatchedPlaces::Place& at) {
+    return glm::mix(double(lines.shown[at.before]), double(lines.shown[at.after]), at.share);
+}
+
+std::vector<MatchedPlaces> matched_with(const LinePlaces& places, In<FrameNear> near) {
+    std::vector<MatchedPlaces> matched;
+    for (const auto& [away, lines] : near) matched.emplace_back(places, lines->places);
+    return matched;
+}
+
+}  // namespace
+
 Array<float> smoothed_in_time(In<float> shown, const ShownLines& now, In<FrameNear> near, int frames) {
     const LinePlaces& places = now.places;
     const bool fits = std::ranges::all_of(places.samples, [&](const Sample& s) { return s.number < shown.size(); });
@@ -27,8 +41,7 @@ Array<float> smoothed_in_time(In<float> shown, const ShownLines& now, In<FrameNe
     for (const auto& [away, lines] : near)
         check(away != 0 && std::abs(away) <= frames, "smoothing in time: a frame is not near by");
     Array<float> smooth(shown.begin(), shown.end());
-    std::vector<MatchedPlaces> matched;
-    for (const auto& [away, lines] : near) matched.emplace_back(places, lines->places);
+    const std::vector<MatchedPlaces> matched = matched_with(places, near);
     parallel_for(places.path.size(), 64, [&](std::size_t stretch) {
         for (Index i = places.rows.begin(Index(stretch)); i < places.rows.end(Index(stretch)); ++i) {
             const Sample& sample = places.samples[i];
@@ -38,15 +51,31 @@ Array<float> smoothed_in_time(In<float> shown, const ShownLines& now, In<FrameNe
                 const auto& [away, lines] = near[k];
                 const auto there = matched[k].at(sample, places.hidden[stretch]);
                 if (!there) continue;
-                const double value =
-                    glm::mix(double(lines->shown[there->before]), double(lines->shown[there->after]), there->share);
                 weight += frames + 1.0 - std::abs(away);
-                sum += (frames + 1.0 - std::abs(away)) * value;
+                sum += (frames + 1.0 - std::abs(away)) * value_at(*lines, *there);
             }
             smooth[sample.number] = float(sum / weight);
         }
     });
     return smooth;
+}
+
+void show_as_near(Array<float>& shown, const LinePlaces& places, In<float> now, In<FrameNear> near) {
+    const std::vector<MatchedPlaces> matched = matched_with(places, near);
+    parallel_for(places.path.size(), 64, [&](std::size_t stretch) {
+        if (places.hidden[stretch]) return;
+        for (Index i = places.rows.begin(Index(stretch)); i < places.rows.end(Index(stretch)); ++i) {
+            const LinePlaces::Sample& sample = places.samples[i];
+            if (now[sample.number] > 0.0f) continue;
+            double count = 0.0, sum = 0.0;
+            for (std::size_t k = 0; k < near.size(); ++k)
+                if (const auto there = matched[k].at(sample, false)) {
+                    ++count;
+                    sum += value_at(*near[k].second, *there);
+                }
+            shown[sample.number] = count > 0.0 ? float(sum / count) : 1.0f;
+        }
+    });
 }
 
 }  // namespace fovea::elision

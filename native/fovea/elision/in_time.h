@@ -27,4 +27,8 @@ using FrameNear = std::pair<int, std::shared_ptr<const ShownLines>>;
 /// Throws std::invalid_argument where an offset is 0 or exceeds `frames`.
 Array<float> smoothed_in_time(In<float> shown, const ShownLines& now, In<FrameNear> near, int frames);
 
+/// Sets the opacity of the samples of `places` that are visible over frames, but not now (`now` is 0, per atlas
+/// sample): to its mean in those near frames where the place is visible; 1 where it is in none.
+void show_as_near(Array<float>& shown, const LinePlaces& places, In<float> now, In<FrameNear> near);
+
 }  // namespace fovea::elision

@@ -2,9 +2,7 @@
 #include <fovea/elision/line_places.h>
 
 #include <algorithm>
-#include <unordered_map>
 
-#include <fovea/base/hash.h>
 #include <fovea/base/parallel.h>
 #include <fovea/elision/own_band.h>
 #include <fovea/focus/at_samples.h>
@@ -12,77 +10,7 @@
 namespace fovea::elision {
 namespace {
 
-using Part = LinePlaces::Part;
 using Sample = LinePlaces::Sample;
-
-/// The parts of some paths.
-class Parts {
-   public:
-    /// `some`: paths, ascending.
-    Parts(const Paths& paths, const Scene& scene, In<Index> some) : paths_(paths), scene_(scene) {
-        std::unordered_map<const Surface*, std::uint64_t> known;
-        for (const Placement& placement : scene.placements) {
-            const auto [at, fresh] = known.try_emplace(placement.surface.get());
-            if (fresh) at->second = hash_of(In<mesh::Edge>(placement.surface->edges));
-            object_.push_back(hash_numbers(placement.id, at->second));
-        }
-        first_.resize(paths.count());
-        Index count = 0;
-        for (const Index p : some) {
-            first_[p] = count;
-            count += on_edges(p) ? paths.rows.size(p) - 1 : 1;
-        }
-        Array<Numbered> found(count);
-        parallel_for(some.size(), 256, [&](std::size_t k) {
-            const Index p = some[k], begin = paths.rows.begin(p);
-            const Index size = on_edges(p) ? paths.rows.size(p) - 1 : 1;
-            for (Index i = 0; i < size; ++i) found[first_[p] + i] = {part(p, begin + i), first_[p] + i};
-        });
-        parallel_sort(found.begin(), found.end(), [](const Numbered& m, const Numbered& n) {
-            const Part &a = m.part, &b = n.part;
-            return a.key != b.key ? a.key < b.key : a.path != b.path ? a.path < b.path : a.from < b.from;
-        });
-        sorted.resize(count);
-        place_.resize(count);
-        parallel_for(count, 1024, [&](std::size_t i) {
-            sorted[i] = found[i].part;
-            place_[found[i].number] = Index(i);
-        });
-    }
-
-    Array<Part> sorted;  ///< by key
-
-    /// Index into `sorted` of the part that contains the segment from a point of a path.
-    Index of(Index path, Index point) const {
-        return place_[first_[path] + (on_edges(path) ? point - paths_.rows.begin(path) : 0)];
-    }
-
-   private:
-    struct Numbered {
-        Part part;
-        Index number;
-    };
-
-    bool on_edges(Index path) const {
-        const Placement& placement = scene_.placements[paths_.placement[path]];
-        return placement.surface->is_edge(paths_.place[paths_.rows.begin(path)]);
-    }
-
-    Part part(Index path, Index point) const {
-        const std::uint64_t object = object_[paths_.placement[path]];
-        const Index end = paths_.rows.end(path) - 1;
-        if (!on_edges(path)) return {hash_numbers(object, paths_.id[path]), path, 0.0, paths_.arc_obj[end]};
-        const bool ahead = paths_.edge_t[point] < 0.5f;
-        const double first = paths_.arc_obj[point], last = paths_.arc_obj[point + 1];
-        return {hash_numbers(object, paths_.place[point]), path, ahead ? first : last, ahead ? last : first};
-    }
-
-    const Paths& paths_;
-    const Scene& scene_;
-    Array<std::uint64_t> object_;  // per placement: hash of its id and its edges
-    Array<Index> first_;           // per path: number of its first part, as they are before they are sorted
-    Array<Index> place_;           // per number: index into `sorted`
-};
 
 /// Position of an atlas sample on its path: segment from `point`, arc length, and range of validity.
 struct OnPath {
@@ -128,7 +56,7 @@ LinePlaces line_places(const ClippedPaths& clipped, const Paths& paths, const Sc
     Array<Index> drawn(lines.path);
     const auto rest = std::ranges::unique(drawn);
     drawn.erase(rest.begin(), rest.end());
-    Parts parts(paths, scene, drawn);
+    LineParts parts(paths, scene, drawn);
     lines.samples.resize(lines.rows.offsets.back());
     parallel_for(order.size(), 64, [&](std::size_t s) {
         Sample* sample = &lines.samples[lines.rows.begin(Index(s))];
@@ -137,7 +65,7 @@ LinePlaces line_places(const ClippedPaths& clipped, const Paths& paths, const Sc
             const vec4& at = own.place[k];
             const bool inside = at.x >= 0.0f && at.x < float(width) && at.y >= 0.0f && at.y < float(height);
             const Index number = parts.of(lines.path[s], place.point);
-            const Part& part = parts.sorted[number];
+            const LinePart& part = parts.sorted[number];
             const double length = part.to - part.from, share = length != 0.0 ? (place.arc - part.from) / length : 0.0;
             *sample = {own.sample[k], number, share, place.arc, place.reach, inside};
         }
@@ -146,15 +74,8 @@ LinePlaces line_places(const ClippedPaths& clipped, const Paths& paths, const Sc
     return lines;
 }
 
-MatchedPlaces::MatchedPlaces(const LinePlaces& now, const LinePlaces& there) : there_(there) {
-    part_.reserve(now.parts.size());
-    auto at = there.parts.begin();
-    const auto end = there.parts.end();
-    for (const Part& part : now.parts) {
-        while (at != end && at->key < part.key) ++at;
-        const bool one = at != end && at->key == part.key && (at + 1 == end || (at + 1)->key != part.key);
-        part_.push_back(one ? Index(at - there.parts.begin()) : none);
-    }
+MatchedPlaces::MatchedPlaces(const LinePlaces& now, const LinePlaces& there)
+    : there_(there), part_(matched_parts(now.parts, there.parts)) {
     first_stretch_.assign(there.path.empty() ? 1 : there.path.back() + 1, 0);
     for (const Index path : there.path) ++first_stretch_[path];
     counts_to_offsets(first_stretch_);
@@ -162,7 +83,7 @@ MatchedPlaces::MatchedPlaces(const LinePlaces& now, const LinePlaces& there) : t
 
 std::optional<MatchedPlaces::Place> MatchedPlaces::at(const LinePlaces::Sample& sample, bool hidden) const {
     if (part_[sample.part] == none) return {};
-    const Part& part = there_.parts[part_[sample.part]];
+    const LinePart& part = there_.parts[part_[sample.part]];
     const double arc = glm::mix(part.from, part.to, sample.share);
     for (Index stretch = first_stretch_[part.path]; stretch < first_stretch_[part.path + 1]; ++stretch) {
         if (bool(there_.hidden[stretch]) != hidden) continue;

@@ -5,26 +5,13 @@
 
 #include <optional>
 
-#include <fovea/path/paths.h>
-#include <fovea/scene/scene.h>
+#include <fovea/elision/line_parts.h>
 #include <fovea/visibility/runs.h>
 
 namespace fovea::elision {
 
-/// Atlas samples of the runs of one frame that are view-independent (those of paths without Paths::of_view). Paths may
-/// be longer or shorter in another frame, where an earlier line set takes edges from them. So places are told by (edge,
-/// fraction) on edges of the mesh, each of which is on one path only, and by (path id, fraction of the length in object
-/// space) on lines across triangles, which are always whole. Both hold under motion and deformation, and as long as the
-/// object has the same edges: a change of topology makes others of them.
+/// Atlas samples of the runs of one frame that are view-independent (those of paths without Paths::of_view).
 struct LinePlaces {
-    /// Id of an edge of a placement, or of a path across triangles.
-    using Key = std::uint64_t;
-    /// Interval of a path of this frame that a key denotes: from .. to in arc length, object units. Sorted by key.
-    struct Part {
-        Key key;
-        Index path;
-        double from, to;
-    };
     struct Sample {
         Index number;  ///< atlas index
         Index part;    ///< index into `parts`
@@ -34,7 +21,7 @@ struct LinePlaces {
         bool inside;   ///< of the picture
     };
 
-    Array<Part> parts;
+    Array<LinePart> parts;  ///< by key
     /// Per stretch (one per run): its path, ascending; whether it is hidden; its samples.
     Array<Index> path;
     Array<std::uint8_t> hidden;

@@ -19,6 +19,8 @@ struct CenterPoint {
     vec4 mix{0.0f};
     /// Elision opacity.
     float shown = 1.0f;
+    /// Share of the time for which it is seen (vanish.h).
+    float seen = 1.0f;
     /// Mix towards the pen's second color, in [0,1] (along.h).
     float tint = 0.0f;
     /// Width of the pen as a fraction of the drawn width; below 1 where the pen is thinner than a pixel.

@@ -119,6 +119,7 @@ bool LineShaper::shape(Index run, DrawnLine& out) const {
     const Course course{clipped, piece, out.closed, hand};
     modify(line, pair, modifiers_[pen], modifiers_[away], course);
     fade_ends(line, fade);
+    if (runs.invisibility[run] == 0 && !along.seen.empty()) vanish(line, moment.vanish, pens[pen], hand);
     color(line, modifiers_[pen], modifiers_[away], course);
     write(out, clipped.path_length_px[piece], moment.written * look.written);
     return line.size() >= 2;

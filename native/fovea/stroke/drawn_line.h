@@ -6,6 +6,7 @@
 #include <fovea/stroke/along.h>
 #include <fovea/stroke/emphasis.h>
 #include <fovea/stroke/fade.h>
+#include <fovea/stroke/vanish.h>
 #include <fovea/visibility/runs.h>
 
 namespace fovea::stroke {
@@ -15,6 +16,7 @@ struct Moment {
     double boil = 0.0;     ///< how much of the hand is that of the boil's drawing
     int boil_drawing = 0;  ///< its number in the cycle
     double written = 1.0;  ///< share of each line, times that of its pen
+    style::Vanish vanish = style::Vanish::fade;
 };
 
 /// What the strokes of a picture are made of. Borrowed.
@@ -25,7 +27,7 @@ struct Inking {
     In<float> strength;    ///< per point of Paths, in [0,1]; reduces width or opacity; empty: 1
     In<Pen> pens;
     In<float> visibility = {};     ///< per atlas sample; partly visible ends fade (fade.h). Empty: all are sharp
-    Emphasis emphasis = {};        ///< mixes each pen with its out-of-focus pen, and fades elided lines
+    Emphasis emphasis = {};        ///< mixes each pen with its out-of-focus pen; what is left of lines
     In<std::uint64_t> ids = {};    ///< per path of Paths, seed of its wobble and noise; empty: the path's number
     const Paths* paths = nullptr;  ///< to which pens fix their marks; null: all paths change with the view
     double tolerance_px = 0.1;     ///< of what is drawn beside the run, as `simplify` takes it

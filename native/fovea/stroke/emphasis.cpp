@@ -15,7 +15,7 @@ constexpr float tolerance = 0.02f;
 struct Place {
     double arc;
     vec4 mix;
-    float shown;
+    float shown, seen;
 };
 
 /// The cone of slopes from a place that pass all following places within the tolerance.
@@ -25,7 +25,7 @@ class Fan {
 
     bool admits(const Place& to) const {
         const float length = float(to.arc - from_.arc);
-        for (int k = 0; k < 5; ++k) {
+        for (int k = 0; k < count; ++k) {
             const float slope = (value(to, k) - value(from_, k)) / length;
             if (slope < low_[k] || slope > high_[k]) return false;
         }
@@ -33,7 +33,7 @@ class Fan {
     }
     void narrow(const Place& to) {
         const float length = float(to.arc - from_.arc);
-        for (int k = 0; k < 5; ++k) {
+        for (int k = 0; k < count; ++k) {
             const float rise = value(to, k) - value(from_, k);
             low_[k] = std::max(low_[k], (rise - tolerance) / length);
             high_[k] = std::min(high_[k], (rise + tolerance) / length);
@@ -41,10 +41,12 @@ class Fan {
     }
 
    private:
-    static float value(const Place& place, int k) { return k < 4 ? place.mix[k] : place.shown; }
+    static constexpr int count = 6;
+    static float value(const Place& place, int k) { return k < 4 ? place.mix[k] : k == 4 ? place.shown : place.seen; }
 
     Place from_;
-    float low_[5] = {-1e30f, -1e30f, -1e30f, -1e30f, -1e30f}, high_[5] = {1e30f, 1e30f, 1e30f, 1e30f, 1e30f};
+    float low_[count] = {-1e30f, -1e30f, -1e30f, -1e30f, -1e30f, -1e30f};
+    float high_[count] = {1e30f, 1e30f, 1e30f, 1e30f, 1e30f, 1e30f};
 };
 
 /// The samples in a run; for a run between two samples, the one nearest to its middle.
@@ -78,7 +80,7 @@ Between between(const EmphasisAlong& emphasis, double at) {
 }  // namespace
 
 void check_emphasis(const ClippedPaths& clipped, const Emphasis& emphasis) {
-    for (const In<float>& values : {emphasis.focus, emphasis.distance, emphasis.shown})
+    for (const In<float>& values : {emphasis.focus, emphasis.distance, emphasis.shown, emphasis.seen})
         check(values.empty() || values.size() == clipped.samples, "emphasis: one value per atlas sample expected");
 }
 
@@ -87,30 +89,35 @@ void find_emphasis(const ClippedPaths& clipped, const Emphasis& e, Index piece, 
     out.arc.clear();
     out.mix.clear();
     out.shown.clear();
-    if (e.focus.empty() && e.distance.empty() && e.shown.empty()) return;
+    out.seen.clear();
+    if (e.focus.empty() && e.distance.empty() && e.shown.empty() && e.seen.empty()) return;
     const PieceSamples samples(clipped, piece);
     if (samples.count() == 0) return;
-    // From the sample before the run to the one after it. The elision opacity of these two is of other runs, or of
-    // none.
+    // From the sample before the run to the one after it. What is shown and seen of these two is of other runs, or
+    // of none.
     const std::ptrdiff_t first = std::max<std::ptrdiff_t>(samples.after(start_px) - 1, 0);
     const std::ptrdiff_t last = std::min(samples.after(end_px), samples.count() - 1);
     const Own own = own_samples(samples, start_px, end_px);
     const auto at = [&](std::ptrdiff_t s) {
         const std::size_t i = samples.in_atlas(s);
         const float f = e.focus.empty() ? 0.0f : e.focus[i], d = e.distance.empty() ? 0.0f : e.distance[i];
-        const std::size_t shown_at = samples.in_atlas(std::clamp(s, own.first, own.last));
-        const float seen = e.shown.empty() ? 1.0f : std::clamp(e.shown[shown_at], 0.0f, 1.0f);
+        const std::size_t own_at = samples.in_atlas(std::clamp(s, own.first, own.last));
+        const auto left = [&](In<float> values) {
+            const float share = values.empty() ? 1.0f : std::clamp(values[own_at], 0.0f, 1.0f);
+            return share == share ? share : 1.0f;
+        };
         const bool near = e.focus.empty(), flat = e.distance.empty();
         const auto by_focus = [&](const Transfer& transfer) { return near ? 0.0f : transfer(f); };
         const auto by_distance = [&](const Transfer& transfer) { return flat ? 0.0f : transfer(d); };
         const vec4 mix(by_focus(e.color), by_focus(e.texture), both(by_focus(e.width), by_distance(e.distance_width)),
                        both(by_focus(e.opacity), by_distance(e.distance_opacity)));
-        return Place{samples.arc(s), mix, seen == seen ? seen : 1.0f};
+        return Place{samples.arc(s), mix, left(e.shown), left(e.seen)};
     };
     const auto keep = [&](const Place& place) {
         out.arc.push_back(place.arc);
         out.mix.push_back(place.mix);
         out.shown.push_back(place.shown);
+        out.seen.push_back(place.seen);
     };
     Place before = at(first);
     keep(before);
@@ -134,6 +141,7 @@ void emphasize(CenterLine& line, const EmphasisAlong& emphasis) {
         const auto [a, b, t] = between(emphasis, p.arc);
         p.mix = glm::mix(emphasis.mix[a], emphasis.mix[b], t);
         p.shown = glm::mix(emphasis.shown[a], emphasis.shown[b], t);
+        p.seen = glm::mix(emphasis.seen[a], emphasis.seen[b], t);
     }
 }
 

@@ -1,10 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How drawings follow each other in an animation: on ones or twos, the hand's boil, lines that write themselves.
+// How drawings follow each other in an animation: on ones or twos, the hand's boil, lines that write themselves, and
+// how they come and go.
 #pragma once
 
 #include <fovea/style/field.h>
 
 namespace fovea::style {
+
+/// How a line comes and goes, whose place is seen for a part of the time.
+enum class Vanish : std::uint8_t { fade, shrink, break_up, retract };
+template <>
+inline constexpr Choice choices_of<Vanish>[] = {
+    {"fade", "Fade", "Their opacity is the share of the time for which they are seen"},
+    {"shrink", "Shrink", "Their width is the share of the time for which they are seen"},
+    {"break_up", "Break Up", "They break up into blots of ink, which shrink"},
+    {"retract", "Retract", "Their ends are where they are seen for half of the time"},
+};
 
 struct Animation {
     int hold = 1;
@@ -13,6 +24,8 @@ struct Animation {
     int boil_cycle = 3;
     int start_frame = 1;
     double written = 1.0;
+    int visibility_frames = 0;
+    Vanish vanish = Vanish::fade;
 
     bool operator==(const Animation&) const = default;
     /// The frame whose drawing stands at a frame.
@@ -34,7 +47,13 @@ struct Animation {
               "Frame from which drawings are counted, whichever frames are rendered",
               number(-1048574, 1048574, 1048574)},
         Field{"written", &Animation::written, "Written",
-              "How much of each line is drawn, from its start: keyed from 0 to 1, lines write themselves", share}};
+              "How much of each line is drawn, from its start: keyed from 0 to 1, lines write themselves", share},
+        Field{"visibility_frames", &Animation::visibility_frames, "Visibility over Frames",
+              "Renders draw lines of meshes by how long they are seen from so many frames before to as many after: a "
+              "single one takes as many times as long, an animation little longer",
+              number(0, 8, 8)},
+        Field{"vanish", &Animation::vanish, "Come and Go",
+              "What lines of meshes do that are seen for a part of that time"}};
 };
 
 }  // namespace fovea::style

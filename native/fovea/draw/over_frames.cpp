@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Visibility over frames: lines drawn by how long they are seen.
+#include <algorithm>
+#include <cstdlib>
+
+#include <fovea/draw/frame.h>
+#include <fovea/elision/seen_in_time.h>
+
+namespace fovea::draw {
+namespace {
+
+constexpr float half_the_time = 0.5f;  // where lines end that retract
+
+}  // namespace
+
+/// Runs that are visible for a part of the time over the style's frames, in place of those that are visible now, and
+/// how long at each sample: fills `seen`, and `shown` where they are not visible now. Without frames near by as they
+/// are.
+Runs Frame::over_frames(Runs runs) {
+    const style::Animation& animation = job.style.animation;
+    std::vector<SeenNear> near;
+    std::vector<FrameNear> elided;
+    for (const auto& [away, lines] : job.near) {
+        if (std::abs(away) > animation.visibility_frames) continue;
+        if (lines.seen) near.emplace_back(away, lines.seen);
+        if (lines.shown) elided.emplace_back(away, lines.shown);
+    }
+    if (!lasts() || near.empty()) return runs;
+    const auto ramps = seen_in_time(*paths, *found_lines()->lines.seen, near, animation.visibility_frames);
+    if (std::ranges::all_of(ramps, [](const auto& of_path) { return of_path.empty(); })) return runs;
+    const bool retracts = animation.vanish == style::Vanish::retract;
+    Runs found = seen_runs(*clipped, *paths, runs, ramps, retracts ? half_the_time : 0.0f);
+    if (!retracts) seen = seen_at_samples(*clipped, *paths, ramps);
+    if (!shown.empty()) {
+        const LinePlaces places = line_places(*clipped, *paths, *job.scene, found, job.view.width, job.view.height);
+        show_as_near(shown, places, samples_from_runs(*clipped, runs), elided);
+        for (float& opacity : shown)
+            if (opacity < float(job.style.elision.cut)) opacity = 0.0f;
+    }
+    if (!samples.empty()) {
+        // What partly visible samples say of ends is of the lines as they are now.
+        const Array<float> drawn_now = samples_from_runs(*clipped, found);
+        at_ends_ = samples;
+        for (Index q = 0; q < clipped->path.size(); ++q)
+            if (!ramps[clipped->path[q]].empty())
+                for (Index s = clipped->first_sample(q); s < clipped->first_sample(q + 1); ++s)
+                    at_ends_[s] = drawn_now[s] > 0.0f ? 1.0f : 0.0f;
+    }
+    return found;
+}
+
+}  // namespace fovea::draw
