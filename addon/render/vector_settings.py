@@ -2,12 +2,15 @@
 """Blender properties of the core's options of drawings in files, made of their declarations (native/fovea/vector and
 color/screentone.h). There are none without the native module."""
 
-from bpy.props import BoolProperty, EnumProperty, FloatProperty
+from bpy.props import BoolProperty, EnumProperty, FloatProperty, StringProperty
 
 from .. import native
-from ..scene.property_kinds import OVERRIDABLE, new_group
+from ..scene.property_kinds import OVERRIDABLE, new_group, part
 
-VECTORS = ("sheet", "margin", "to_scale", "tolerance", "widths", "ground", "colors", "plotter")  # of VectorOptions
+# Of VectorOptions.
+VECTORS = ("sheet", "margin", "to_scale", "tolerance", "widths", "ground", "colors", "plotter", "title_block")
+# Of Titles, in the order in which panels have them.
+TITLES = ("title", "document", "number", "revision", "sheet", "date", "creator", "approver", "owner")
 SCREEN = ("dpi", "lines_per_inch", "angle", "threshold")  # of Screen
 RASTER = (  # kinds of files besides the core's VECTORS: (name, label, description)
     ("ora", "OpenRaster", "For programs that paint: paper, colors and the lines of each set on layers"),
@@ -29,13 +32,19 @@ def kinds():
     return [] if native.problem() else [*native.load().VECTORS, *RASTER]
 
 
-def group():
-    """The PropertyGroup of a scene's settings of files with every render, which have the pixels of the picture."""
+def titles_group():
+    """The PropertyGroup of what a scene's title blocks say."""
+    return new_group("FoveaTitles", "What title blocks say.", annotations("Titles", TITLES, **OVERRIDABLE))
+
+
+def group(titles):
+    """The PropertyGroup of a scene's settings of files with every render, which have the pixels of the picture.
+    `titles`: the group of its title blocks."""
     items = [OFF, *((name.upper(), label, told) for name, label, told in kinds() if name != "png")]
     told = "What every render writes beside its picture"
     kind = EnumProperty(name="With Every Render", description=told, items=items, **OVERRIDABLE)
     own = annotations("VectorOptions", VECTORS, **OVERRIDABLE)
-    return new_group("FoveaVectorSettings", "Files beside pictures.", {"kind": kind, **own})
+    return new_group("FoveaVectorSettings", "Files beside pictures.", {"kind": kind, **own, "titles": part(titles)})
 
 
 def values(owner, names):
@@ -48,6 +57,8 @@ def _property(field, words):
     told |= {"default": field["default"], **words}
     if field["type"] == "switch":
         return BoolProperty(**told)
+    if field["type"] == "text":
+        return StringProperty(**told)
     if field["type"] == "choice":
         return EnumProperty(items=field["choices"], **told)
     limits = {"min": field["min"], "max": field["max"], "soft_max": field["soft_max"]}

@@ -31,6 +31,27 @@ std::string layer_name(const std::string& label) {
     return name.substr(0, longest_name);
 }
 
+/// Text of one line: characters beyond ASCII, and those that mean something else, by their numbers. There are none
+/// beyond the first 65536: a question mark.
+std::string line_of_text(const std::string& utf8) {
+    const std::u32string codes = code_points(utf8);
+    const auto begins = [&](std::size_t i, std::u32string_view word) {
+        return codes.compare(i, word.size(), word) == 0;
+    };
+    std::string text;
+    for (std::size_t i = 0; i < codes.size(); ++i) {
+        if (codes[i] >= 0x10000)
+            text += '?';
+        else if (codes[i] >= 0x80 || begins(i, U"\\U+") || begins(i, U"\\M+"))
+            text += "\\U+" + hexadecimal(codes[i]).substr(12);
+        else if (codes[i] == U'%' && (begins(i, U"%%") || (i > 0 && codes[i - 1] == U'%')))
+            text += "%%%";
+        else
+            text += codes[i] == U'^' ? "^ " : std::string(1, char(codes[i]));
+    }
+    return text;
+}
+
 class Writer {
    public:
     explicit Writer(const Document& document) : document_(document) {}
@@ -148,15 +169,20 @@ class Writer {
     }
 
     void text_styles() {
-        table("STYLE", 4, 1);
+        table("STYLE", 4, has_text_ ? 2 : 1);
+        text_style("Standard", "txt");
+        if (has_text_) text_style(sans_serif, "arial.ttf");
+        end_table();
+    }
+
+    void text_style(const char* name, const char* font) {
         record("STYLE", next_handle(), handle(4), "AcDbTextStyleTableRecord");
-        pair(2, "Standard");
+        pair(2, name);
         pair(70, 0);
         for (const int code : {40, 50, 71, 42}) pair(code, code == 42 ? 1 : 0);
         pair(41, 1);
-        pair(3, "txt");
+        pair(3, font);
         pair(4, "");
-        end_table();
     }
 
     void block_records() {
@@ -235,6 +261,18 @@ class Writer {
         layers_.emplace_back(name, weight);
         for (const Path& path : layer.paths)
             for (const Curve& curve : path.curves) add(curve, name);
+        for (const Caption& caption : layer.captions) add(caption, name);
+    }
+
+    void add(const Caption& caption, const std::string& layer) {
+        has_text_ = true;
+        entity("TEXT", handle(model_space), layer, "AcDbText");
+        point(caption.place);
+        pair(30, "0");
+        pair(40, number(capitals * caption.size));
+        pair(1, line_of_text(caption.text));
+        pair(7, sans_serif);
+        pair(100, "AcDbText");
     }
 
     void add(const Curve& curve, const std::string& layer) {
@@ -276,6 +314,7 @@ class Writer {
         });
     }
 
+    static constexpr const char* sans_serif = "SansSerif";
     static constexpr int model_space = 16, paper_space = 17, root = 18, groups = 19;  // handles
 
     const Document& document_;
@@ -283,6 +322,7 @@ class Writer {
     int handle_ = 32;
     std::vector<std::pair<std::string, int>> layers_;  // name, weight
     std::set<std::string> names_;
+    bool has_text_ = false;
 };
 
 }  // namespace
