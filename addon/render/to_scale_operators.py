@@ -39,7 +39,7 @@ class FOVEA_OT_sheet(OnStyle, bpy.types.Operator):
         style_data.own(scene).paper.height_mm = height
         render = scene.render
         across = width / height * render.pixel_aspect_y / render.pixel_aspect_x
-        render.resolution_x = max(4, round(render.resolution_y * across))
+        render.resolution_x = max(4, int(render.resolution_y * across + 1e-6))  # not more than there is room for
         drawing_scale.set_scale(scene, before)
 
 

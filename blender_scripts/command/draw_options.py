@@ -145,6 +145,12 @@ def _parser():
     return parser
 
 
+OF_VECTORS = (
+    *("paper", "paper_margin", "tolerance", "center_lines", "lines_alone", "color_areas", "plotter", "json"),
+    *("title_block", "title_field"),
+)
+
+
 def _add_vectors(add):
     """Options of vectors, which other files refuse: None where they are not given."""
     add("--paper", type=str.lower, choices=SHEETS, help="the size of the page; page: as the style says")
@@ -155,7 +161,7 @@ def _add_vectors(add):
     add("--center-lines", action="store_true", default=None, help="lines of one width where strokes change theirs")
     add("--lines-alone", action="store_true", default=None, help="neither paper nor colors")
     add("--color-areas", action="store_true", default=None, help="colors as filled areas, not as a picture")
-    add("--title-block", action="store_true", default=None, help="a border and a title block on a sheet of paper")
+    add("--title-block", action="store_true", default=None, help="a frame and a title block on a sheet of paper")
     field = "what the block says, else as the scene does; NAME: " + ", ".join(TITLES)
     add("--title-field", type=_title_field, action="append", metavar="NAME=TEXT", help=field)
     add("--plotter", action="store_true", default=None, help="lines of one width in an order of short ways")
@@ -211,11 +217,7 @@ def _check_one_bit(options):
 
 
 def _check_vectors(options):
-    lengths, switches = (
-        ("paper", "paper_margin", "tolerance"),
-        ("center_lines", "lines_alone", "color_areas", "plotter"),
-    )
-    for name in (*lengths, *switches, "title_block", "title_field", "json"):
+    for name in OF_VECTORS:
         if getattr(options, name) is not None and options.output.suffix not in VECTORS:
             kinds = " or ".join(VECTORS)
             raise ValueError(f"--{name.replace('_', '-')} is for vectors: name an output that ends in {kinds}")

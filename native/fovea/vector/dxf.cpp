@@ -31,8 +31,15 @@ std::string layer_name(const std::string& label) {
     return name.substr(0, longest_name);
 }
 
-/// Text of one line: characters beyond ASCII, and those that mean something else, by their numbers. There are none
-/// beyond the first 65536: a question mark.
+/// \U+XXXX for a character below 65536.
+std::string by_number(char32_t code) {
+    std::string digits = hexadecimal(code).substr(12);
+    for (char& digit : digits) digit = digit >= 'a' ? char(digit - 'a' + 'A') : digit;
+    return "\\U+" + digits;
+}
+
+/// Text of one line: characters beyond ASCII, and those that would mean something else, by their numbers. There are
+/// none from 65536 on: a question mark.
 std::string line_of_text(const std::string& utf8) {
     const std::u32string codes = code_points(utf8);
     const auto begins = [&](std::size_t i, std::u32string_view word) {
@@ -43,9 +50,7 @@ std::string line_of_text(const std::string& utf8) {
         if (codes[i] >= 0x10000)
             text += '?';
         else if (codes[i] >= 0x80 || begins(i, U"\\U+") || begins(i, U"\\M+"))
-            text += "\\U+" + hexadecimal(codes[i]).substr(12);
-        else if (codes[i] == U'%' && (begins(i, U"%%") || (i > 0 && codes[i - 1] == U'%')))
-            text += "%%%";
+            text += by_number(codes[i]);
         else
             text += codes[i] == U'^' ? "^ " : std::string(1, char(codes[i]));
     }

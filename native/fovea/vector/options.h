@@ -50,9 +50,9 @@ struct Options {
         style::Field{"colors", &Options::colors, "Colors As", "What becomes of the colors below the lines"},
         style::Field{"plotter", &Options::plotter, "For a Plotter",
                      "Lines of one width in an order of short ways, joined where they meet, each once"},
-        style::Field{"title_block", &Options::title_block, "Title Block",
-                     "A border and a title block by ISO 7200 on a sheet of paper; the picture is above the block or "
-                     "beside it"},
+        style::Field{
+            "title_block", &Options::title_block, "Title Block",
+            "A frame and a title block (ISO 7200) on a sheet of paper: the picture is above the block or beside it"},
         style::Field{"titles", &Options::titles, "Titles", "What the title block says"},
         style::Field{"unit_meters", &Options::unit_meters, "Unit",
                      "Meters to a unit of the scene, for the scale in the title block", unit}};

@@ -19,13 +19,13 @@ constexpr dvec2 sheets[] = {{841.0, 1189.0}, {594.0, 841.0}, {420.0, 594.0}, {29
 dvec2 sheet_size(Sheet sheet) { return sheet < Sheet::a0 ? dvec2(0.0) : sheets[int(sheet) - int(Sheet::a0)]; }
 
 std::vector<Room> rooms_of(const dvec2& size, const Options& options) {
-    const dvec2 border = size - 2.0 * options.margin;
-    check(std::min(border.x, border.y) > 0.0,
+    const dvec2 space = size - 2.0 * options.margin;
+    check(std::min(space.x, space.y) > 0.0,
           "vectors: a margin of " + number(options.margin) + " mm leaves no room on this paper: make it smaller");
-    if (!options.title_block) return {{dvec2(options.margin), border}};
-    const dvec2 block = title_block_size(border), left = border - block;
-    std::vector<Room> rooms{{dvec2(options.margin, options.margin + block.y), {border.x, left.y}},
-                            {dvec2(options.margin), {left.x, border.y}}};
+    if (!options.title_block) return {{dvec2(options.margin), space}};
+    const dvec2 block = title_block_size(space), left = space - block;
+    std::vector<Room> rooms{{dvec2(options.margin, options.margin + block.y), {space.x, left.y}},
+                            {dvec2(options.margin), {left.x, space.y}}};
     std::erase_if(rooms, [](const Room& room) { return std::min(room.size.x, room.size.y) <= 0.0; });
     check(!rooms.empty(),
           "vectors: the title block leaves no room on this paper: take larger paper or a smaller margin");
@@ -45,7 +45,7 @@ Page page_of(const View& view, const style::Paper& paper, const Options& options
     const std::vector<Room> rooms = rooms_of(size, options);
     const Room room = *std::ranges::max_element(rooms, {}, largest);
     const double most = largest(room), scale = options.to_scale ? px_mm : most;
-    check(scale <= most * (1.0 + 1e-9), "vectors: to scale the picture is " + number(scale * picture.x) + " x " +
+    check(scale <= most * (1.0 + 1e-6), "vectors: to scale the picture is " + number(scale * picture.x) + " x " +
                                             number(scale * picture.y) + " mm, and this paper has room for " +
                                             number(room.size.x) + " x " + number(room.size.y) +
                                             " mm: take larger paper, a smaller margin or a smaller scale");

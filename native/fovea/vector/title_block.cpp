@@ -69,12 +69,12 @@ Path ruled(const std::string& id, const Points& points, bool closed, double widt
 
 }  // namespace
 
-dvec2 title_block_size(const dvec2& border) {
-    check(border.x >= least_width && border.y >= height(),
+dvec2 title_block_size(const dvec2& space) {
+    check(space.x >= least_width && space.y >= height(),
           "vectors: a title block is at least " + number(least_width) + " mm wide and " + number(height()) +
-              " mm high, and within its margins this paper has " + number(border.x) + " x " + number(border.y) +
+              " mm high, and within its margins this paper has " + number(space.x) + " x " + number(space.y) +
               " mm: take larger paper or a smaller margin");
-    return {std::min(border.x, most_width), height()};
+    return {std::min(space.x, most_width), height()};
 }
 
 std::vector<TitleCell> title_cells(const dvec2& lower, double width, const Options& options, const std::string& scale) {
@@ -139,10 +139,10 @@ std::vector<Layer> title_block_layers(const Page& page, const Options& options, 
                                       const dvec3& ink) {
     const dvec2 near(options.margin), far = page.size - options.margin, size = title_block_size(far - near);
     const dvec2 lower(far.x - size.x, near.y);
-    Layer border{"border", "border", {}, {}, {}};
-    border.paths = {ruled("border-sheet", {near, {far.x, near.y}, far, {near.x, far.y}, near}, true, thick, ink),
-                    ruled("border-title-block", {lower, {lower.x, lower.y + size.y}, {far.x, lower.y + size.y}}, false,
-                          thick, ink)};
+    Layer frame{"frame", "frame", {}, {}, {}};
+    frame.paths = {
+        ruled("frame-sheet", {near, {far.x, near.y}, far, {near.x, far.y}, near}, true, thick, ink),
+        ruled("frame-title-block", {lower, {lower.x, lower.y + size.y}, {far.x, lower.y + size.y}}, false, thick, ink)};
     Layer block{"title-block", "title block", {}, {}, {}};
     for (const TitleCell& cell : title_cells(lower, size.x, options, scale)) {
         const dvec2 upper = cell.lower + cell.size;
@@ -163,7 +163,7 @@ std::vector<Layer> title_block_layers(const Page& page, const Options& options, 
         write(id + "-label", cell.label, least_letters, upper.y - above - least_letters);
         if (!cell.text.empty()) write(id, cell.text, cell.letters, cell.lower.y + below);
     }
-    return {border, block};
+    return {frame, block};
 }
 
 }  // namespace fovea::vector

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The border and the title block of a sheet of paper. ISO 7200:2004 has the data fields and the width of the block,
-// ISO 5457 its place and the border, ISO 128 the widths of lines, ISO 3098 the heights of letters.
+// The frame and the title block of a sheet of paper. ISO 7200:2004 has the data fields and the width of the block,
+// ISO 5457 its place and the frame, ISO 128 the widths of lines, ISO 3098 the heights of letters.
 #pragma once
 
 #include <vector>
@@ -19,9 +19,9 @@ struct TitleCell {
     double letters;  ///< height of the text's capital letters
 };
 
-/// Width and height of the title block in the lower right corner of a border [mm]. Throws std::invalid_argument where
-/// the border is too narrow or too low for it.
-dvec2 title_block_size(const dvec2& border);
+/// Width and height of the title block in the lower right corner of a drawing space, that in the frame [mm]. Throws
+/// std::invalid_argument where that is too narrow or too low for it.
+dvec2 title_block_size(const dvec2& space);
 
 /// The cells of a title block whose lower left corner is given, row by row from above; together they cover it.
 /// `scale`: see scale_text.
@@ -37,8 +37,8 @@ std::string scale_text(const View& view, const Page& page, double unit_meters);
 Caption fitted(const std::string& text, double letters, double width);
 inline constexpr double least_letters = 1.8;  ///< the smallest height of ISO 3098
 
-/// Two layers: thick lines around the sheet's inside and the block; thin lines between its cells, and its text, which
-/// is left out for a plotter. `ink`: of both, as displayed.
+/// Two layers: thick lines around the drawing space and the block; thin lines between its cells, and its text, which is
+/// left out for a plotter. `ink`: of both, as displayed.
 std::vector<Layer> title_block_layers(const Page& page, const Options& options, const std::string& scale,
                                       const dvec3& ink);
 
