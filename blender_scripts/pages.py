@@ -124,7 +124,8 @@ def in_colors(scene, path):
 def halved(pixels):
     """(H, W, ...) means of the four pixels of each of (2 H, 2 W, ...)."""
     height, width = np.array(pixels.shape[:2]) // 2
-    return pixels.reshape(height, 2, width, 2, *pixels.shape[2:]).mean(axis=(1, 3))
+    whole = pixels[: 2 * height, : 2 * width]
+    return whole.reshape(height, 2, width, 2, *pixels.shape[2:]).mean(axis=(1, 3))
 
 
 def of_file(name, path):
@@ -133,8 +134,13 @@ def of_file(name, path):
 
 def titled(name, path):
     """(H, W) sheet of paper with a title block, as librsvg draws it, supersampled by 2."""
-    svg = path.with_suffix(".svg")
-    draw.main([*pages.TITLED[name], "-o", str(svg)])
+    scene_name, words = pages.TITLED[name]
+    open_model(scene_name)
+    svg, scene = path.with_suffix(".svg"), bpy.context.scene
+    options = draw_options.parse([scene_name, *words, "-o", str(svg)])
+    set_drawing(scene, options, {})
+    asked = vectors.options_of(scene, draw_options.titles(options, ""), **draw_options.vector_options(options))
+    vectors.write(vectors.drawing(bpy.context, "svg", asked), svg)
     subprocess.run(["rsvg-convert", "-w", str(2 * pages.TITLED_WIDTH), svg, "-o", path], check=True)
     return np.round(halved(sheet.gray(path)) * (FEW_GREYS - 1)) / (FEW_GREYS - 1)
 

@@ -147,8 +147,11 @@ _FIELDS = {
 TITLED_WIDTH = 900  # of a sheet, pixels
 TITLED = {  # a sheet of paper with a title block -> its scene, and options of `fovea draw`
     "title_block": (
-        *("office", *variants.PLAN, "--paper", "a4", "--paper-margin", "5"),
-        *(word for name, text in _FIELDS.items() for word in ("--title-field", f"{name}={text}")),
+        "office",
+        (
+            *(*variants.PLAN, "--paper", "a4", "--paper-margin", "5"),
+            *(word for name, text in _FIELDS.items() for word in ("--title-field", f"{name}={text}")),
+        ),
     )
 }
 FRAME_SIZE, FRAMES = "180x200", (1, 5, 9, 13)
