@@ -48,7 +48,7 @@ class FOVEA_OT_export_vectors(OfRender, bpy.types.Operator, ExportHelper, _Optio
         for name in {"png": _of_screen, "ora": ()}.get(self.chosen_kind(), _of_vectors):
             layout.prop(self, name)
         if self.title_block and self.chosen_kind() not in COUNTED:
-            for name in vector_settings.TITLES:
+            for name in vector_settings.title_fields():
                 layout.prop(context.scene.fovea.vectors.titles, name)
 
     def act(self, context):

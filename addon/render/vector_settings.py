@@ -9,8 +9,6 @@ from ..scene.property_kinds import OVERRIDABLE, new_group, part
 
 # Of VectorOptions.
 VECTORS = ("sheet", "margin", "to_scale", "tolerance", "widths", "ground", "colors", "plotter", "title_block")
-# Of Titles, in the order in which panels have them.
-TITLES = ("title", "document", "number", "revision", "sheet", "date", "creator", "approver", "owner")
 SCREEN = ("dpi", "lines_per_inch", "angle", "threshold")  # of Screen
 RASTER = (  # kinds of files besides the core's VECTORS: (name, label, description)
     ("ora", "OpenRaster", "For programs that paint: paper, colors and the lines of each set on layers"),
@@ -22,8 +20,7 @@ UNITS = {"millimeters": " [mm]", "degrees": " [degrees]"}
 
 def annotations(record, names, **words):
     """{name: property} of members of a record of the core, which is given by its name. `words`: of all of them."""
-    declared = () if native.problem() else getattr(native.load(), record).fields
-    by_name = {field["name"]: field for field in declared}
+    by_name = {field["name"]: field for field in _declared(record)}
     return {name: _property(by_name[name], words) for name in names if name in by_name}
 
 
@@ -32,9 +29,15 @@ def kinds():
     return [] if native.problem() else [*native.load().VECTORS, *RASTER]
 
 
+def title_fields():
+    """Names of what a title block says, in the order in which panels have them."""
+    return tuple(field["name"] for field in _declared("Titles"))
+
+
 def titles_group():
     """The PropertyGroup of what a scene's title blocks say."""
-    return new_group("FoveaTitles", "What title blocks say.", annotations("Titles", TITLES, **OVERRIDABLE))
+    own = annotations("Titles", title_fields(), **OVERRIDABLE)
+    return new_group("FoveaTitles", "What title blocks say.", own)
 
 
 def group(titles):
@@ -50,6 +53,11 @@ def group(titles):
 def values(owner, names):
     """{name: value} of an owner's properties."""
     return {name: getattr(owner, name) for name in names}
+
+
+def _declared(record):
+    """Declarations of the members of a record of the core."""
+    return () if native.problem() else getattr(native.load(), record).fields
 
 
 def _property(field, words):

@@ -13,9 +13,9 @@ def options(**given):
 
 
 def options_of(scene, titles=None, **given):
-    """The same of a scene, whose title block says what the scene's settings do. `titles`: {member of Titles: text}
-    instead."""
-    kept = vector_settings.values(scene.fovea.vectors.titles, vector_settings.TITLES)
+    """The same of a scene, whose settings say what is in the title block. `titles`: {member of Titles: text} in their
+    place."""
+    kept = vector_settings.values(scene.fovea.vectors.titles, vector_settings.title_fields())
     said = native.load().Titles(**kept | (titles or {}))
     return options(titles=said, unit_meters=scene.unit_settings.scale_length, **given)
 

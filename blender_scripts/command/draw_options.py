@@ -14,7 +14,7 @@ PICTURES = (".png", ".exr")
 VECTORS = (".svg", ".pdf", ".dxf")
 LAYERS = (".ora",)
 SHEETS = ("page", "pixels", "a0", "a1", "a2", "a3", "a4", "a5", "letter")
-TITLES = ("title", "number", "revision", "date", "sheet", "creator", "approver", "owner", "document")
+TITLES = ("title", "document", "number", "revision", "sheet", "date", "creator", "approver", "owner")
 ENGINES = ("cycles", "eevee", "workbench")  # of Blender, over whose renders lines can be drawn
 TILE = (480, 360)  # pixels of a tile of a sheet
 # Defaults for the demo scene if neither style, lines nor focus is given: its door in focus.

@@ -2,6 +2,7 @@
 #include <fovea/vector/title_block.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include <fovea/base/check.h>
@@ -13,13 +14,13 @@ namespace {
 // Lengths in millimeters.
 constexpr double most_width = 180.0, least_width = 110.0;
 constexpr double thick = 0.7, thin = 0.35;
-constexpr double small = 2.5, large = 3.5;                // heights of letters
+constexpr double usual = 2.5, large = 3.5;                // heights of letters
 constexpr double beside = 1.0, below = 1.5, above = 0.8;  // free around text in its cell
 
 /// A cell by the name of what it says; its share of the row's width.
 struct Column {
     const char* name;
-    double share, letters = small;
+    double share, letters = usual;
 };
 
 struct Row {
@@ -137,12 +138,12 @@ Caption fitted(const std::string& text, double letters, double width) {
 
 std::vector<Layer> title_block_layers(const Page& page, const Options& options, const std::string& scale,
                                       const dvec3& ink) {
-    const dvec2 near(options.margin), far = page.size - options.margin, size = title_block_size(far - near);
-    const dvec2 lower(far.x - size.x, near.y);
+    const dvec2 from(options.margin), to = page.size - options.margin, size = title_block_size(to - from);
+    const dvec2 lower(to.x - size.x, from.y);
     Layer frame{"frame", "frame", {}, {}, {}};
     frame.paths = {
-        ruled("frame-sheet", {near, {far.x, near.y}, far, {near.x, far.y}, near}, true, thick, ink),
-        ruled("frame-title-block", {lower, {lower.x, lower.y + size.y}, {far.x, lower.y + size.y}}, false, thick, ink)};
+        ruled("frame-sheet", {from, {to.x, from.y}, to, {from.x, to.y}, from}, true, thick, ink),
+        ruled("frame-title-block", {lower, {lower.x, lower.y + size.y}, {to.x, lower.y + size.y}}, false, thick, ink)};
     Layer block{"title-block", "title block", {}, {}, {}};
     for (const TitleCell& cell : title_cells(lower, size.x, options, scale)) {
         const dvec2 upper = cell.lower + cell.size;
@@ -151,7 +152,7 @@ std::vector<Layer> title_block_layers(const Page& page, const Options& options, 
         if (cell.lower.x > lower.x)
             block.paths.push_back(ruled(id + "-left", {cell.lower, {cell.lower.x, upper.y}}, false, thin, ink));
         else if (cell.lower.y > lower.y)
-            block.paths.push_back(ruled(id + "-below", {cell.lower, {far.x, cell.lower.y}}, false, thin, ink));
+            block.paths.push_back(ruled(id + "-below", {cell.lower, {to.x, cell.lower.y}}, false, thin, ink));
         if (options.plotter) continue;
         const auto write = [&](const std::string& name, const std::string& text, double letters, double base) {
             Caption caption = fitted(text, letters, cell.size.x - 2.0 * beside);
