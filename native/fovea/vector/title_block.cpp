@@ -113,7 +113,9 @@ std::string scale_text(const View& view, const Page& page, double unit_meters) {
 }
 
 Caption fitted(const std::string& text, double letters, double width) {
-    Caption caption{.text = printable(text), .size = letters / capitals};
+    Caption caption;
+    caption.text = printable(text);
+    caption.size = letters / capitals;
     const auto wide = [](const std::string& some) {
         double sum = 0.0;
         for (const char32_t letter : code_points(some)) sum += width_of(letter);

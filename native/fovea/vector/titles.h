@@ -11,7 +11,8 @@ namespace fovea::vector {
 /// Data fields of ISO 7200:2004, "Technical product documentation - Data fields in title blocks and document headers";
 /// each may be empty. The scale and the size of the sheet are not among them: they are what they are.
 struct Titles {
-    std::string title, document, number, revision, sheet, date, creator, approver, owner;
+    std::string title = {}, document = {}, number = {}, revision = {}, sheet = {}, date = {}, creator = {};
+    std::string approver = {}, owner = {};
 
     bool operator==(const Titles&) const = default;
 
