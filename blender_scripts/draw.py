@@ -34,6 +34,8 @@ def main(words):
         over.set_up(scene, options)
     if freestyle.is_on(scene):
         ending.note(freestyle.OVER)
+    if remark := vectors.remark(vectors.options(**draw_options.vector_options(options))):
+        ending.note(remark)
     if options.sheet:
         sheet.render(scene, catalogue.definitions(), options.output)
     else:
@@ -140,8 +142,6 @@ def write_drawing(scene, options, path, kind, sheet):
         asked = vectors.screen(**draw_options.screen_options(options))
     else:
         asked = vectors.options_of(scene, draw_options.titles(options, sheet), **draw_options.vector_options(options))
-        if remark := vectors.remark(asked):
-            ending.note(remark)
     drawn = vectors.drawing(bpy.context, kind, asked)
     if drawn is None:
         raise RuntimeError(f"{path}: stopped before the lines were drawn")

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Frames as files of other programs: vectors, layers, and pictures of black and white alone.
+#include <algorithm>
+
 #include <fovea/color/screentone.h>
 #include <fovea/draw/layered.h>
 #include <fovea/vector/center_lines.h>

@@ -6,10 +6,11 @@ import subprocess
 import sys
 import xml.etree.ElementTree as ElementTree
 from pathlib import Path
+from types import SimpleNamespace
 
 import bpy
 import pytest
-from panel_layouts import full_scene, shown_by
+from panel_layouts import RecordingLayout, full_scene, shown_by
 from pictures import box_scene
 from the_addon import own_style, part
 
@@ -152,10 +153,15 @@ def test_a_sheet_of_paper_leaves_room_for_it_and_the_drawing_to_scale_fits(scene
     assert own_style(scene).paper.height_mm == pytest.approx(277 - 30)
 
 
-def test_the_panel_has_every_field_where_it_is_on():
+def test_the_panel_and_the_export_have_every_field_where_it_is_on():
     fields = [field["name"] for field in native.load().Titles.fields]
     settings, panel = full_scene().fovea.vectors, part("ui.vectors").RENDER_PT_fovea_vectors
     for on in (True, False):
         settings.title_block = on
         shown = [name for owner, name in shown_by(panel).props if owner == settings.titles]
         assert shown == (fields if on else [])
+        kind = bpy.ops.fovea.export_vectors.get_rna_type()
+        export = SimpleNamespace(layout=RecordingLayout(), bl_rna=kind, title_block=on, chosen_kind=lambda: "pdf")
+        part("render.vector_operators").FOVEA_OT_export_vectors.draw(export, bpy.context)
+        assert [name for owner, name in export.layout.props if owner == settings.titles] == shown
+        assert "title_block" in export.layout.shown

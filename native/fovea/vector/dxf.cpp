@@ -31,32 +31,6 @@ std::string layer_name(const std::string& label) {
     return name.substr(0, longest_name);
 }
 
-/// \U+XXXX for a character below 65536.
-std::string by_number(char32_t code) {
-    std::string digits = hexadecimal(code).substr(12);
-    for (char& digit : digits) digit = digit >= 'a' ? char(digit - 'a' + 'A') : digit;
-    return "\\U+" + digits;
-}
-
-/// Text of one line: characters beyond ASCII, and those that would mean something else, by their numbers. There are
-/// none from 65536 on: a question mark.
-std::string line_of_text(const std::string& utf8) {
-    const std::u32string codes = code_points(utf8);
-    const auto begins = [&](std::size_t i, std::u32string_view word) {
-        return codes.compare(i, word.size(), word) == 0;
-    };
-    std::string text;
-    for (std::size_t i = 0; i < codes.size(); ++i) {
-        if (codes[i] >= 0x10000)
-            text += '?';
-        else if (codes[i] >= 0x80 || begins(i, U"\\U+") || begins(i, U"\\M+"))
-            text += by_number(codes[i]);
-        else
-            text += codes[i] == U'^' ? "^ " : std::string(1, char(codes[i]));
-    }
-    return text;
-}
-
 class Writer {
    public:
     explicit Writer(const Document& document) : document_(document) {}
@@ -275,7 +249,7 @@ class Writer {
         point(caption.place);
         pair(30, "0");
         pair(40, number(capitals * caption.size));
-        pair(1, line_of_text(caption.text));
+        pair(1, dxf_text(caption.text));
         pair(7, sans_serif);
         pair(100, "AcDbText");
     }

@@ -24,11 +24,8 @@ std::vector<Room> rooms_of(const dvec2& size, const Options& options) {
           "vectors: a margin of " + number(options.margin) + " mm leaves no room on this paper: make it smaller");
     if (!options.title_block) return {{dvec2(options.margin), space}};
     const dvec2 block = title_block_size(space), left = space - block;
-    std::vector<Room> rooms{{dvec2(options.margin, options.margin + block.y), {space.x, left.y}},
-                            {dvec2(options.margin), {left.x, space.y}}};
-    std::erase_if(rooms, [](const Room& room) { return std::min(room.size.x, room.size.y) <= 0.0; });
-    check(!rooms.empty(),
-          "vectors: the title block leaves no room on this paper: take larger paper or a smaller margin");
+    std::vector<Room> rooms{{dvec2(options.margin, options.margin + block.y), {space.x, left.y}}};
+    if (left.x > 0.0) rooms.push_back({dvec2(options.margin), {left.x, space.y}});
     return rooms;
 }
 

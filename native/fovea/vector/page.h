@@ -25,7 +25,8 @@ struct Room {
 /// Width and height of an upright sheet of paper [mm]; zero for those without a size of their own.
 dvec2 sheet_size(Sheet sheet);
 
-/// Where a picture may lie within the margins of paper of this size: all over, or above a title block and beside it.
+/// Where a picture may lie within the margins of paper of this size: all over, or above a title block and, if
+/// that is not as wide, beside it.
 /// Throws std::invalid_argument if there is no room.
 std::vector<Room> rooms_of(const dvec2& size, const Options& options);
 

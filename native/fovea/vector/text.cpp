@@ -2,6 +2,7 @@
 #include <fovea/vector/text.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
 namespace fovea::vector {
@@ -98,6 +99,25 @@ std::string xml(std::string_view text) {
                 break;
             default:
                 escaped += letter;
+        }
+    }
+    return escaped;
+}
+
+std::string dxf_text(std::string_view text) {
+    const std::u32string codes = code_points(text);
+    const auto begins = [&](std::size_t i, std::u32string_view word) {
+        return codes.compare(i, word.size(), word) == 0;
+    };
+    std::string escaped;
+    for (std::size_t i = 0; i < codes.size(); ++i) {
+        if (codes[i] >= 0x10000) {
+            escaped += '?';
+        } else if (codes[i] >= 0x80 || begins(i, U"\\U+") || begins(i, U"\\M+")) {
+            escaped += "\\U+";
+            for (const char digit : hexadecimal(codes[i]).substr(12)) escaped += char(std::toupper(digit));
+        } else {
+            escaped += codes[i] == U'^' ? "^ " : std::string(1, char(codes[i]));
         }
     }
     return escaped;

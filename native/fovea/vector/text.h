@@ -31,6 +31,10 @@ std::string printable(std::string_view text);
 /// Text of XML and of its attributes: printable, and its own characters as entities.
 std::string xml(std::string_view text);
 
+/// Text of one line in DXF files: characters beyond ASCII, and those that would mean something else, by their numbers.
+/// There are none from 65536 on: a question mark.
+std::string dxf_text(std::string_view text);
+
 /// Base64 (RFC 4648), on one line.
 std::string base64(std::string_view bytes);
 

@@ -71,7 +71,7 @@ Path ruled(const std::string& id, const Points& points, bool closed, double widt
 }  // namespace
 
 dvec2 title_block_size(const dvec2& space) {
-    check(space.x >= least_width && space.y >= height(),
+    check(space.x >= least_width && space.y > height(),
           "vectors: a title block is at least " + number(least_width) + " mm wide and " + number(height()) +
               " mm high, and within its margins this paper has " + number(space.x) + " x " + number(space.y) +
               " mm: take larger paper or a smaller margin");

@@ -20,7 +20,7 @@ struct TitleCell {
 };
 
 /// Width and height of the title block in the lower right corner of a drawing space, that in the frame [mm]. Throws
-/// std::invalid_argument where that is too narrow or too low for it.
+/// std::invalid_argument where that is too narrow for it, or leaves no room above it.
 dvec2 title_block_size(const dvec2& space);
 
 /// The cells of a title block whose lower left corner is given, row by row from above; together they cover it.
