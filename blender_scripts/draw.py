@@ -34,6 +34,8 @@ def main(words):
         over.set_up(scene, options)
     if freestyle.is_on(scene):
         ending.note(freestyle.OVER)
+    if remark := vectors.remark(vectors.options(**draw_options.vector_options(options))):
+        ending.note(remark)
     if options.sheet:
         sheet.render(scene, catalogue.definitions(), options.output)
     else:
@@ -106,38 +108,40 @@ def render(scene, options):
     if missing := [name for name in wanted if name not in names]:
         there = f"there are: {', '.join(names)}" if names else "there are none"
         raise ValueError(f"--cameras {options.cameras}: the scene has no camera '{missing[0]}'; {there}")
+    chosen = [camera for camera in known if camera.name in wanted]
     with cameras.unbound(scene):
-        for camera in (camera for camera in known if camera.name in wanted):
+        for number, camera in enumerate(chosen):
             scene.camera = camera
             if options.lens:
                 set_lens(camera, options.lens)
             if options.scale:
                 drawing_settings.set_scale(scene, options.scale)
-            render_frames(scene, options, names[camera.name])
+            render_frames(scene, options, names[camera.name], (number, len(chosen)))
 
 
-def render_frames(scene, options, camera=None):
-    """Renders every frame. `camera`: what the names of the files have of it."""
+def render_frames(scene, options, camera=None, among=(0, 1)):
+    """Renders every frame. `camera`: what the names of the files have of it; `among`: which of how many it is."""
     frames = options.frames or (scene.frame_current, scene.frame_current)
     dumps = draw_options.dumps(options, camera) or [None] * (frames[1] + 1 - frames[0])
     pictures = draw_options.pictures(options, camera)
-    for frame, path, dump in zip(range(frames[0], frames[1] + 1), pictures, dumps, strict=True):
+    numbered, total = zip(range(frames[0], frames[1] + 1), pictures, dumps, strict=True), among[1] * len(pictures)
+    for number, (frame, path, dump) in enumerate(numbered, start=among[0] * len(pictures) + 1):
         scene.frame_set(frame)
         if dump:  # first, because rendering may fail
             frame_dump.write(bpy.context, dump)
             ending.announce(dump)
         if kind := draw_options.kind(options, path):
-            write_drawing(options, path, kind)
+            write_drawing(scene, options, path, kind, f"{number}/{total}" if total > 1 else "")
         else:
             picture.render(scene, path)
             ending.announce(path)
 
 
-def write_drawing(options, path, kind):
+def write_drawing(scene, options, path, kind, sheet):
     if kind == "png":
         asked = vectors.screen(**draw_options.screen_options(options))
     else:
-        asked = vectors.options(**draw_options.vector_options(options))
+        asked = vectors.options_of(scene, draw_options.titles(options, sheet), **draw_options.vector_options(options))
     drawn = vectors.drawing(bpy.context, kind, asked)
     if drawn is None:
         raise RuntimeError(f"{path}: stopped before the lines were drawn")

@@ -4,6 +4,7 @@ model, the demo scene at each stage of the method and with several focus models,
 by what is painted, scenes of what artists meet, sections, plots of transfer functions."""
 
 import argparse
+import subprocess
 import sys
 import tempfile
 from functools import reduce
@@ -123,7 +124,25 @@ def in_colors(scene, path):
 def halved(pixels):
     """(H, W, ...) means of the four pixels of each of (2 H, 2 W, ...)."""
     height, width = np.array(pixels.shape[:2]) // 2
-    return pixels.reshape(height, 2, width, 2, *pixels.shape[2:]).mean(axis=(1, 3))
+    whole = pixels[: 2 * height, : 2 * width]
+    return whole.reshape(height, 2, width, 2, *pixels.shape[2:]).mean(axis=(1, 3))
+
+
+def of_file(name, path):
+    return titled(name, path) if name in pages.TITLED else page(name, path)
+
+
+def titled(name, path):
+    """(H, W) sheet of paper with a title block, as librsvg draws it, supersampled by 2."""
+    scene_name, words = pages.TITLED[name]
+    open_model(scene_name)
+    svg, scene = path.with_suffix(".svg"), bpy.context.scene
+    options = draw_options.parse([scene_name, *words, "-o", str(svg)])
+    set_drawing(scene, options, {})
+    asked = vectors.options_of(scene, draw_options.titles(options, ""), **draw_options.vector_options(options))
+    vectors.write(vectors.drawing(bpy.context, "svg", asked), svg)
+    subprocess.run(["rsvg-convert", "-w", str(2 * pages.TITLED_WIDTH), svg, "-o", path], check=True)
+    return np.round(halved(sheet.gray(path)) * (FEW_GREYS - 1)) / (FEW_GREYS - 1)
 
 
 def page(name, path):
@@ -277,7 +296,7 @@ def animation(name, path):
 DRAWN_BY = {
     "lines": line, "sections": section, "way": stage, "focus": stage, "strokes": stroke, "painted": painted,
     "situations": situation, "over": over_render, "transfers": plot, "grease_pencil": pencil, "animation": animation,
-    "compare": overlay, "vectors": page, "farm": frames,
+    "compare": overlay, "vectors": of_file, "farm": frames,
 }  # fmt: skip
 
 

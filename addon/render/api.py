@@ -22,10 +22,11 @@ def drawing(camera=None, style=None, **options):
 
     camera: an object that sees it, None: the scene's. style: a Style, the name of a shipped one or a .json file,
     or None: the scene's own. options: those of vectors, as sheet="a4", margin=10.0, tolerance=0.02, widths="center",
-    ground=False, plotter=True. The scene may use any render engine, and stays as it is. CannotDraw, or a ValueError,
+    ground=False, plotter=True, title_block=True, titles={"title": "Plan"}, of which those that are not given are the
+    scene's. The scene may use any render engine, and stays as it is. CannotDraw, or a ValueError,
     says in a sentence what cannot be drawn."""
     chosen = styles.named(style) if isinstance(style, str) else style
-    asked = vectors.options(**options)
+    asked = vectors.options_of(bpy.context.scene, **options)
     made = vectors.drawing(bpy.context, "svg", asked, camera=camera, chosen=chosen)
     if made is None:
         raise CannotDraw("Stopped before the lines were drawn")

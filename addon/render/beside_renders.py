@@ -15,18 +15,19 @@ from . import lines_scenes, vector_settings, vectors, whole_frames
 
 def write(engine, depsgraph, frame):
     """Writes the file beside the picture of a final render from its native Frame, if the scene asks for one."""
-    settings = followed.of(depsgraph.scene).fovea.vectors
+    scene = followed.of(depsgraph.scene)
+    settings = scene.fovea.vectors
     if settings.kind == vector_settings.OFF[0]:
         return
     kind = settings.kind.lower()
     path = whole_frames.in_place(_path(engine, depsgraph)).with_suffix(f".{kind}")
-    asked = vectors.options(**vector_settings.values(settings, vector_settings.VECTORS))
+    asked = vectors.options_of(scene, **vector_settings.values(settings, vector_settings.VECTORS))
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
         vectors.write(vectors.made(frame, kind, asked), path)
     except (OSError, files.NotWritten) as error:
         raise CannotDraw(str(error)) from error
-    engine.report({"INFO"}, f"Saved: {path}")
+    engine.report({"INFO"}, ". ".join(filter(None, (f"Saved: {path}", vectors.remark(asked)))))
 
 
 def _path(engine, depsgraph):

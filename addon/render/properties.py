@@ -190,9 +190,11 @@ _registered = []  # (Blender type that gets the settings, or None for a nested g
 
 
 def register():
-    kinds, vectors = own_lines.kinds(), vector_settings.group()
+    kinds, titles = own_lines.kinds(), vector_settings.titles_group()
+    vectors = vector_settings.group(titles)
     _registered[:] = [
         (None, kinds),
+        (None, titles),
         (None, vectors),
         (bpy.types.Scene, _scene_group(vectors)),
         (bpy.types.Object, _object_group(kinds)),

@@ -11,13 +11,12 @@ from . import drawing_scale, vectors
 
 
 def _sheets(_operator, _context):
-    sizes = vectors.sheet_sizes()
-    return [item for item in vectors.kept_items("SHEETS") if item[0] in sizes]
+    return vectors.sheets()
 
 
 class FOVEA_OT_sheet(OnStyle, bpy.types.Operator):
-    """Make the picture as large as a sheet of paper within its margins: the page of the style, and the proportions of
-    the render. The scale stays"""
+    """Make the picture as large as a sheet of paper within its margins, and beside a title block: the page of the
+    style, and the proportions of the render. The scale stays"""
 
     bl_idname, bl_label = "fovea.sheet", "Sheet of Paper"
 
@@ -27,20 +26,20 @@ class FOVEA_OT_sheet(OnStyle, bpy.types.Operator):
         name="Margin", description="Left free around the picture [mm]", default=10.0, min=0.0, max=1000.0
     )
 
+    title_block: BoolProperty(name="Title Block", description="Leave room for a title block", default=False)
+
     def invoke(self, context, _event):
         return context.window_manager.invoke_props_dialog(self)
 
     def act(self, context):
         scene = context.scene
-        short, long = vectors.sheet_sizes()[self.sheet]
-        width, height = (side - 2 * self.margin for side in ((short, long) if self.upright else (long, short)))
-        if min(width, height) <= 0.0:
-            raise ValueError(f"a margin of {self.margin:g} mm leaves no room on this sheet: make it smaller")
+        asked = {"sheet": self.sheet, "margin": self.margin, "title_block": self.title_block}
+        width, height = vectors.room_on_sheet(self.upright, **asked)
         before = drawing_scale.scale_of(scene)
         style_data.own(scene).paper.height_mm = height
         render = scene.render
         across = width / height * render.pixel_aspect_y / render.pixel_aspect_x
-        render.resolution_x = max(4, round(render.resolution_y * across))
+        render.resolution_x = max(4, int(render.resolution_y * across + 1e-6))  # not more than there is room for
         drawing_scale.set_scale(scene, before)
 
 

@@ -41,21 +41,28 @@ class FOVEA_OT_export_vectors(OfRender, bpy.types.Operator, ExportHelper, _Optio
         is_named = named in (name for name, *_ in vectors.kept_items("KINDS"))
         return named if is_named and not self.properties.is_property_set("kind") else self.kind
 
-    def draw(self, _context):
+    def draw(self, context):
         layout = self.layout
         layout.use_property_split = True
         layout.prop(self, "kind")
         for name in {"png": _of_screen, "ora": ()}.get(self.chosen_kind(), _of_vectors):
             layout.prop(self, name)
+        if self.title_block and self.chosen_kind() not in COUNTED:
+            for name in vector_settings.title_fields():
+                layout.prop(context.scene.fovea.vectors.titles, name)
 
     def act(self, context):
         kind = self.chosen_kind()
-        record, names = (vectors.screen, _of_screen) if kind == "png" else (vectors.options, _of_vectors)
-        asked = record(**vector_settings.values(self, names))
+        if kind == "png":
+            asked, remark = vectors.screen(**vector_settings.values(self, _of_screen)), None
+        else:
+            asked = vectors.options_of(context.scene, **vector_settings.values(self, _of_vectors))
+            remark = vectors.remark(asked)
         with progress(context) as tell:
             drawn = vectors.drawing(context, kind, asked, tell=tell)
         if drawn is None:
             raise CannotDraw("Stopped before the lines were drawn")
         vectors.write(drawn, Path(bpy.path.abspath(self.filepath)))
         counted = COUNTED.get(kind, "paths")
-        self.report({"INFO"}, f"{drawn.figures[counted]} {counted} are in {Path(self.filepath).name}")
+        told = f"{drawn.figures[counted]} {counted} are in {Path(self.filepath).name}"
+        self.report({"INFO"}, ". ".join(filter(None, (told, remark))))

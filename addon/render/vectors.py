@@ -12,6 +12,21 @@ def options(**given):
     return native.load().VectorOptions(**given)
 
 
+def options_of(scene, titles=None, **given):
+    """The same of a scene, whose settings say what is in the title block. `titles`: {member of Titles: text} in their
+    place."""
+    kept = vector_settings.values(scene.fovea.vectors.titles, vector_settings.title_fields())
+    said = native.load().Titles(**kept | (titles or {}))
+    return options(titles=said, unit_meters=scene.unit_settings.scale_length, **given)
+
+
+def remark(asked):
+    """A sentence about what VectorOptions leave out, or None."""
+    if asked.plotter and asked.title_block:
+        return "The title block has its lines alone: a plotter's pens have no letters"
+    return None
+
+
 def screen(**given):
     """Native Screen, which pictures of 1 bit are made by; what is not given has its default."""
     return native.load().Screen(**given)
@@ -34,10 +49,15 @@ def kept_items(of):
     return _kept[of]
 
 
-def sheet_sizes():
-    """{sheet of paper: (width, height) in millimeters, upright}."""
-    known = ((name, tuple(native.load().sheet_size(name).values())) for name, *_ in kept_items("SHEETS"))
-    return {name: size for name, size in known if any(size)}
+def sheets():
+    """The items of SHEETS that are sheets of paper."""
+    return [item for item in kept_items("SHEETS") if any(native.load().sheet_size(item[0]).values())]
+
+
+def room_on_sheet(upright, **given):
+    """(width, height) in millimeters of the largest picture on a sheet. `given`: the VectorOptions that say which."""
+    with native.refusals():
+        return tuple(native.load().room_on_sheet(options(**given), upright).values())
 
 
 def drawing(context, kind, asked=None, camera=None, **how):

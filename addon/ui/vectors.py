@@ -16,3 +16,5 @@ class RENDER_PT_fovea_vectors(FoveaPanel, bpy.types.Panel):
         layout.prop(settings, "kind")
         heeded = settings.kind not in {vector_settings.OFF[0], "ORA"}
         draw_properties(layout, settings, vector_settings.VECTORS, heeded)
+        if getattr(settings, "title_block", False):  # not there without the native module
+            draw_properties(layout, settings.titles, vector_settings.title_fields(), heeded)

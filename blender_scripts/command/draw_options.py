@@ -14,6 +14,7 @@ PICTURES = (".png", ".exr")
 VECTORS = (".svg", ".pdf", ".dxf")
 LAYERS = (".ora",)
 SHEETS = ("page", "pixels", "a0", "a1", "a2", "a3", "a4", "a5", "letter")
+TITLES = ("title", "document", "number", "revision", "sheet", "date", "creator", "approver", "owner")
 ENGINES = ("cycles", "eevee", "workbench")  # of Blender, over whose renders lines can be drawn
 TILE = (480, 360)  # pixels of a tile of a sheet
 # Defaults for the demo scene if neither style, lines nor focus is given: its door in focus.
@@ -144,6 +145,12 @@ def _parser():
     return parser
 
 
+OF_VECTORS = (
+    *("paper", "paper_margin", "tolerance", "center_lines", "lines_alone", "color_areas", "plotter", "json"),
+    *("title_block", "title_field"),
+)
+
+
 def _add_vectors(add):
     """Options of vectors, which other files refuse: None where they are not given."""
     add("--paper", type=str.lower, choices=SHEETS, help="the size of the page; page: as the style says")
@@ -154,6 +161,9 @@ def _add_vectors(add):
     add("--center-lines", action="store_true", default=None, help="lines of one width where strokes change theirs")
     add("--lines-alone", action="store_true", default=None, help="neither paper nor colors")
     add("--color-areas", action="store_true", default=None, help="colors as filled areas, not as a picture")
+    add("--title-block", action="store_true", default=None, help="a frame and a title block on a sheet of paper")
+    field = "what the block says, else as the scene does; NAME: " + ", ".join(TITLES)
+    add("--title-field", type=_title_field, action="append", metavar="NAME=TEXT", help=field)
     add("--plotter", action="store_true", default=None, help="lines of one width in an order of short ways")
     add("--one-bit", action="store_true", help="a PNG of black and white: lines by a threshold, tones as dots")
     number = quantities.within
@@ -161,6 +171,13 @@ def _add_vectors(add):
     add("--screen", type=number(5, 200, "rows per inch"), metavar="N", help="rows of dots per inch (60)")
     add("--screen-angle", type=number(0, 90, "degrees"), metavar="DEG", help="of the rows of dots (45)")
     add("--json", action="store_true", default=None, help="print figures about the file")
+
+
+def _title_field(text):
+    name, equals, said = text.partition("=")
+    if not equals or name not in TITLES:
+        raise argparse.ArgumentTypeError(f"'{text}' is not NAME=TEXT; NAME can be: {', '.join(TITLES)}")
+    return name, said
 
 
 def vector_options(options):
@@ -174,8 +191,15 @@ def vector_options(options):
         "ground": False if options.lines_alone else None,
         "colors": options.color_areas and "areas",
         "plotter": options.plotter,
+        "title_block": True if options.title_block or options.title_field else None,
     }
     return {name: value for name, value in given.items() if value is not None}
+
+
+def titles(options, sheet):
+    """What a title block says, by the names of its fields; the others as in the scene. `sheet`: its number if several
+    are drawn, as "2/3"; else empty."""
+    return ({"sheet": sheet} if sheet else {}) | dict(options.title_field or ())
 
 
 def screen_options(options):
@@ -193,10 +217,12 @@ def _check_one_bit(options):
 
 
 def _check_vectors(options):
-    for name in ("paper", "paper_margin", "tolerance", "center_lines", "lines_alone", "color_areas", "plotter", "json"):
+    for name in OF_VECTORS:
         if getattr(options, name) is not None and options.output.suffix not in VECTORS:
             kinds = " or ".join(VECTORS)
             raise ValueError(f"--{name.replace('_', '-')} is for vectors: name an output that ends in {kinds}")
+    if "title_block" in vector_options(options) and options.paper in (None, "page", "pixels"):
+        raise ValueError("a title block lies on a sheet of paper: choose one, as --paper a4")
 
 
 def _check(options):

@@ -133,6 +133,27 @@ GREASE_PENCIL = {"film": _BRUSH, "baked": _BRUSH}  # strokes of one scene as Fov
 PENCIL_VIEW = 0.5, 0.45, 1.4  # as STAGE_VIEW
 PAGE_SIZE, PAGE_PLACE = "560x315", (0.55, 0.47)  # of what is shown of a page, and its place from the lower left
 VECTORS = {"one_bit": Stage(("--style", "watercolor", "--one-bit", "--dpi", "300"))}
+_FIELDS = {
+    "title": "Ground floor",
+    "document": "Floor plan",
+    "number": "A-101",
+    "revision": "B",
+    "sheet": "1/3",
+    "date": "2026-05-31",
+    "creator": "M. Weiß",
+    "approver": "É. Dubois",
+    "owner": "Atelier Süd",
+}
+TITLED_WIDTH = 900  # of a sheet, pixels
+TITLED = {  # a sheet of paper with a title block -> its scene, and options of `fovea draw`
+    "title_block": (
+        "office",
+        (
+            *(*variants.PLAN, "--paper", "a4", "--paper-margin", "5"),
+            *(word for name, text in _FIELDS.items() for word in ("--title-field", f"{name}={text}")),
+        ),
+    )
+}
 FRAME_SIZE, FRAMES = "180x200", (1, 5, 9, 13)
 FARM = {"frames": Stage(("--style", "brush"))}
 _LIGHT = {"pen.second_color": (0.5, 0.5, 0.5)}
@@ -204,7 +225,7 @@ COMPARE = {"overlay": Pair(*BUNNY, (("contour", "suggestive_contour"), ("contour
 GROUPS = {
     "lines": LINES, "sections": SECTIONS, "way": WAY, "focus": FOCUS, "strokes": STROKES, "painted": PAINTED,
     "situations": SITUATIONS, "over": OVER, "transfers": TRANSFERS, "grease_pencil": GREASE_PENCIL,
-    "animation": ANIMATION | FOLLOWING | PASSING, "compare": COMPARE, "vectors": VECTORS, "farm": FARM,
+    "animation": ANIMATION | FOLLOWING | PASSING, "compare": COMPARE, "vectors": VECTORS | TITLED, "farm": FARM,
 }  # fmt: skip
 
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Frames as files of other programs: vectors, layers, and pictures of black and white alone.
+#include <algorithm>
+
 #include <fovea/color/screentone.h>
 #include <fovea/draw/layered.h>
 #include <fovea/vector/center_lines.h>
@@ -70,6 +72,7 @@ void bind_center_lines(py::module_& m) {
 
 void bind_vector(py::module_& m) {
     bind_center_lines(m);
+    bind_part<vector::Titles>(m, "Titles", "What a title block says; see native/fovea/vector/titles.h.");
     bind_part<vector::Options>(m, "VectorOptions",
                                "What a drawing is like as vectors; see native/fovea/vector/options.h.");
     m.attr("SHEETS") = choices<vector::Sheet>();
@@ -82,6 +85,19 @@ void bind_vector(py::module_& m) {
             return py::dict(py::arg("width") = size.x, py::arg("height") = size.y);
         },
         py::arg("sheet"), "{width, height} of an upright sheet of paper [mm]; 0: that of the picture.");
+    m.def(
+        "room_on_sheet",
+        [](const vector::Options& options, bool upright) {
+            dvec2 size = vector::sheet_size(options.sheet);
+            if (!upright) std::swap(size.x, size.y);
+            const auto rooms = vector::rooms_of(size, options);
+            const dvec2 room = std::ranges::max_element(rooms, {}, [](const vector::Room& room) {
+                                   return room.size.x * room.size.y;
+                               })->size;
+            return py::dict(py::arg("width") = room.x, py::arg("height") = room.y);
+        },
+        py::arg("options"), py::arg("upright"),
+        "{width, height} of the largest picture within the margins of a sheet, without its title block [mm].");
     py::class_<KindOfDrawing, std::shared_ptr<KindOfDrawing>>(m, "Drawing", "A frame's strokes as layers of curves.")
         .def(py::init(&compose), py::arg("frame"), py::arg("options"), py::arg("kind") = "svg",
              "Takes the frame's steps up to `shape`; kind: of files, svg, pdf or dxf.")

@@ -76,6 +76,7 @@ def full_scene():
     made.render.engine = "FOVEA"
     use_style(made, "xray_focus")
     made.fovea.focus_model = "SCENE"
+    made.fovea.vectors.title_block = True
     made.fovea.focus_points.add()
     only_lines(made, *(definition["name"] for definition in catalogue.definitions()))
     lines_of(made).hidden.clear()

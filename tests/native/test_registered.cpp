@@ -191,7 +191,7 @@ TEST(Registered, AScannedSheetIsFoundByItsMarksHoweverItLies) {
 
 TEST(Registered, ASheetIsAPdfFileWithItsTitle) {
     const vector::Document page = prompt_sheet(inked(vase(128, 96).drawn(128, 96)), vector::Sheet::letter, "vase 1234");
-    EXPECT_EQ(page.captions.at(0).text, "vase 1234");
+    EXPECT_EQ(page.layers.at(0).captions.at(0).text, "vase 1234");
     EXPECT_NEAR(page.size.x, 215.9, 0.1);
     EXPECT_EQ(vector::pdf_bytes(page).substr(0, 5), "%PDF-");
     EXPECT_NE(vector::pdf_bytes(page).find("/Helvetica"), std::string::npos);

@@ -235,6 +235,22 @@ def test_options_of_vectors_are_those_that_are_given_and_for_vectors_alone(capsy
     assert "invalid choice" in refused(capsys, *out, "--paper", "b5")
 
 
+def test_a_title_block_lies_on_a_sheet_of_paper_and_its_fields_are_named(capsys, tmp_path):
+    out = ["boxes:2", "-o", str(tmp_path / "out.svg")]
+    fields = ["--title-field", "title=a = b", "--title-field", "number="]
+    options = draw_options.parse([*out, "--paper", "a4", *fields])
+    assert draw_options.vector_options(options) == {"sheet": "a4", "title_block": True}
+    assert draw_options.titles(options, "1/2") == {"sheet": "1/2", "title": "a = b", "number": ""}
+    assert draw_options.titles(options, "") == {"title": "a = b", "number": ""}
+    for words in ([], ["--paper", "pixels"], ["--paper", "page"]):
+        assert "choose one, as --paper a4" in refused(capsys, *out, *words, "--title-block")
+    for field in ("title", "head=Plan"):
+        assert f"'{field}' is not NAME=TEXT; NAME can be: title," in refused(capsys, *out, "--title-field", field)
+    png = str(tmp_path / "out.png")
+    assert "--title-block is for vectors" in refused(capsys, "boxes:2", "--title-block", "-o", png)
+
+
 def test_sheets_and_kinds_of_vectors_are_those_of_the_module():
     assert [name for name, *_ in core.SHEETS] == list(draw_options.SHEETS)
     assert [f".{name}" for name, *_ in core.VECTORS] == list(draw_options.VECTORS)
+    assert [field["name"] for field in core.Titles.fields] == list(draw_options.TITLES)

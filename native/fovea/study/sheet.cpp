@@ -116,8 +116,8 @@ vector::Document prompt_sheet(const color::GrayImage& picture, vector::Sheet she
     for (const dvec2& mark : marks_around(width, height))
         marks.curves.push_back(circle(lower + mark, mark_radius * width));
     layer.paths.push_back(std::move(marks));
+    layer.captions.push_back({"title", title, dvec2(left, margin), 0.6 * line_of_text});
     page.layers.push_back(std::move(layer));
-    page.captions.push_back({title, dvec2(left, margin), 0.6 * line_of_text});
     return page;
 }
 

@@ -15,6 +15,7 @@
 #include <fovea/vector/plot.h>
 #include <fovea/vector/section.h>
 #include <fovea/vector/text.h>
+#include <fovea/vector/title_block.h>
 #include <fovea/vector/tracing.h>
 
 namespace fovea::vector {
@@ -95,6 +96,11 @@ std::vector<Layer> drawn_layers(const Frame& frame, const std::vector<Mark>& mar
     return layers;
 }
 
+/// Black, or white on dark paper; as displayed.
+dvec3 ink_on(const std::optional<dvec3>& paper) {
+    return dvec3(paper && glm::dot(*paper, dvec3(0.2126, 0.7152, 0.0722)) < 0.5 ? 1.0 : 0.0);
+}
+
 /// A number before each label, by which plotters know pens.
 void number_labels(std::vector<Layer>& layers) {
     for (std::size_t i = 0; i < layers.size(); ++i) layers[i].label = std::to_string(i + 1) + " " + layers[i].label;
@@ -162,6 +168,11 @@ Drawing compose(Frame& frame, const Options& asked) {
                                       : drawn_layers(frame, found.marks, tracing);
     if (!options.plotter) document.layers.insert(document.layers.begin(), section_layer(frame, page));
     if (as_areas) document.layers.insert(document.layers.begin(), colors_layer(frame, page, tracing.tolerance()));
+    if (options.title_block) {
+        const std::string scale = scale_text(frame.job.view, page, options.unit_meters);
+        for (Layer& layer : title_block_layers(page, options, scale, ink_on(document.paper)))
+            document.layers.push_back(std::move(layer));
+    }
     take_out_empty(document.layers);
     if (options.plotter) number_labels(document.layers);
     made.figures.strokes = strokes.size();

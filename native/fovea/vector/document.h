@@ -32,11 +32,23 @@ struct Path {
     std::vector<Curve> curves;
 };
 
+/// A line of text.
+struct Caption {
+    std::string id;     ///< unique in the document
+    std::string text;   ///< UTF-8
+    dvec2 place{0.0};   ///< where its base line begins
+    double size = 0.0;  ///< of its font
+    dvec3 color{0.0};   ///< as displayed
+};
+
+inline constexpr double capitals = 0.716;  ///< height of capital letters, of the size of fonts like Helvetica
+
 struct Layer {
     std::string id, label;
     std::string line_set;  ///< its name; empty: of none, or inside its layer
     std::vector<Path> paths;
-    std::vector<Layer> layers;  ///< above its own paths, from below
+    std::vector<Layer> layers;           ///< above its own paths, from below
+    std::vector<Caption> captions = {};  ///< above its own paths
 };
 
 /// A picture over a rectangle.
@@ -46,21 +58,13 @@ struct Image {
     dvec2 lower{0.0}, size{0.0};
 };
 
-/// A line of text, in black.
-struct Caption {
-    std::string text;  ///< UTF-8
-    dvec2 place;       ///< where its base line begins
-    double size;       ///< of its letters
-};
-
 /// The origin is the lower left corner, y goes up.
 struct Document {
     dvec2 size{0.0};
-    bool in_pixels = false;         ///< whether the unit is the pixel, else it is the millimeter
-    std::optional<dvec3> paper;     ///< its color as displayed; none: transparent
-    std::optional<Image> image;     ///< below all layers
-    std::vector<Layer> layers;      ///< from below
-    std::vector<Caption> captions;  ///< above all layers; in PDF files alone
+    bool in_pixels = false;      ///< whether the unit is the pixel, else it is the millimeter
+    std::optional<dvec3> paper;  ///< its color as displayed; none: transparent
+    std::optional<Image> image;  ///< below all layers
+    std::vector<Layer> layers;   ///< from below
 };
 
 /// Calls visit(path) for each path of a layer or document, from below.

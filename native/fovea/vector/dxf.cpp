@@ -148,15 +148,20 @@ class Writer {
     }
 
     void text_styles() {
-        table("STYLE", 4, 1);
+        table("STYLE", 4, has_text_ ? 2 : 1);
+        text_style("Standard", "txt");
+        if (has_text_) text_style(sans_serif, "arial.ttf");
+        end_table();
+    }
+
+    void text_style(const char* name, const char* font) {
         record("STYLE", next_handle(), handle(4), "AcDbTextStyleTableRecord");
-        pair(2, "Standard");
+        pair(2, name);
         pair(70, 0);
         for (const int code : {40, 50, 71, 42}) pair(code, code == 42 ? 1 : 0);
         pair(41, 1);
-        pair(3, "txt");
+        pair(3, font);
         pair(4, "");
-        end_table();
     }
 
     void block_records() {
@@ -235,6 +240,18 @@ class Writer {
         layers_.emplace_back(name, weight);
         for (const Path& path : layer.paths)
             for (const Curve& curve : path.curves) add(curve, name);
+        for (const Caption& caption : layer.captions) add(caption, name);
+    }
+
+    void add(const Caption& caption, const std::string& layer) {
+        has_text_ = true;
+        entity("TEXT", handle(model_space), layer, "AcDbText");
+        point(caption.place);
+        pair(30, "0");
+        pair(40, number(capitals * caption.size));
+        pair(1, dxf_text(caption.text));
+        pair(7, sans_serif);
+        pair(100, "AcDbText");
     }
 
     void add(const Curve& curve, const std::string& layer) {
@@ -276,6 +293,7 @@ class Writer {
         });
     }
 
+    static constexpr const char* sans_serif = "SansSerif";
     static constexpr int model_space = 16, paper_space = 17, root = 18, groups = 19;  // handles
 
     const Document& document_;
@@ -283,6 +301,7 @@ class Writer {
     int handle_ = 32;
     std::vector<std::pair<std::string, int>> layers_;  // name, weight
     std::set<std::string> names_;
+    bool has_text_ = false;
 };
 
 }  // namespace

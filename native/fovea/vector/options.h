@@ -3,6 +3,7 @@
 #pragma once
 
 #include <fovea/style/field.h>
+#include <fovea/vector/titles.h>
 
 namespace fovea::vector {
 
@@ -25,12 +26,16 @@ struct Options {
     bool ground = true;
     Colors colors = Colors::picture;
     bool plotter = false;
+    bool title_block = false;
+    Titles titles = {};
+    double unit_meters = 1.0;
 
     bool operator==(const Options&) const = default;
 
     static constexpr double least_tolerance = 0.002;  ///< [mm]; less is none: files have micrometers
     static constexpr style::Domain length{0.0, 1000.0, 100.0, style::Unit::millimeters};
     static constexpr style::Domain deviation{0.0, 10.0, 1.0, style::Unit::millimeters};
+    static constexpr style::Domain unit = style::number(1e-12, 1e12, 1000.0);
     static constexpr std::tuple fields{
         style::Field{"sheet", &Options::sheet, "Paper", "Size of the paper, which lies as the picture does"},
         style::Field{"margin", &Options::margin, "Margin", "Left free around the picture on a sheet of paper", length},
@@ -44,7 +49,13 @@ struct Options {
                      "The color of the paper, and colors below the lines"},
         style::Field{"colors", &Options::colors, "Colors As", "What becomes of the colors below the lines"},
         style::Field{"plotter", &Options::plotter, "For a Plotter",
-                     "Lines of one width in an order of short ways, joined where they meet, each once"}};
+                     "Lines of one width in an order of short ways, joined where they meet, each once"},
+        style::Field{
+            "title_block", &Options::title_block, "Title Block",
+            "A frame and a title block (ISO 7200) on a sheet of paper: the picture is above the block or beside it"},
+        style::Field{"titles", &Options::titles, "Titles", "What the title block says"},
+        style::Field{"unit_meters", &Options::unit_meters, "Unit",
+                     "Meters to a unit of the scene, for the scale in the title block", unit}};
 };
 
 }  // namespace fovea::vector

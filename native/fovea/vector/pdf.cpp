@@ -3,6 +3,7 @@
 // fonts and encryption along, for what is here a page of paths.
 #include <fovea/vector/pdf.h>
 
+#include <algorithm>
 #include <map>
 #include <zlib.h>
 
@@ -30,12 +31,7 @@ std::string compressed(const std::string& bytes) {
 std::string text_of(std::string_view utf8) {
     std::string text = "<feff";
     const auto unit = [&](std::uint32_t value) { text += hexadecimal(value).substr(12); };
-    for (std::size_t i = 0; i < utf8.size();) {
-        const auto first = static_cast<unsigned char>(utf8[i++]);
-        const int more = first >= 0xf0 ? 3 : first >= 0xe0 ? 2 : first >= 0xc0 ? 1 : 0;
-        std::uint32_t code = more ? first & (0x3fu >> more) : first;
-        for (int k = 0; k < more && i < utf8.size(); ++k)
-            code = code << 6 | (static_cast<unsigned char>(utf8[i++]) & 63);
+    for (const char32_t code : code_points(utf8)) {
         if (code < 0x10000) {
             unit(code);
         } else {
@@ -46,13 +42,16 @@ std::string text_of(std::string_view utf8) {
     return text + ">";
 }
 
-/// The same for fonts that have Latin letters alone; others become question marks.
-std::string latin(std::string_view utf8) {
-    std::string text = "<";
-    const std::string units = text_of(utf8).substr(5);  // after the byte order mark
-    for (std::size_t i = 0; i + 4 <= units.size(); i += 4)
-        text += units.compare(i, 2, "00") == 0 ? units.substr(i + 2, 2) : "3f";
-    return text + ">";
+/// What bytes 0x80 to 0x9f stand for in WinAnsiEncoding (PDF 1.5, appendix D), in their order; 0: nothing.
+constexpr char32_t win_ansi[] = {0x20ac, 0,      0x201a, 0x192,  0x201e, 0x2026, 0x2020, 0x2021, 0x2c6,  0x2030, 0x160,
+                                 0x2039, 0x152,  0,      0x17d,  0,      0,      0x2018, 0x2019, 0x201c, 0x201d, 0x2022,
+                                 0x2013, 0x2014, 0x2dc,  0x2122, 0x161,  0x203a, 0x153,  0,      0x17e,  0x178};
+
+/// The byte of a character in WinAnsiEncoding, of a font that has Latin letters alone; 0: there is none.
+std::uint32_t latin(char32_t code) {
+    if (code < 0x80 || (code >= 0xa0 && code < 0x100)) return code;
+    const auto* found = std::ranges::find(win_ansi, code);
+    return found == std::end(win_ansi) ? 0 : 0x80 + std::uint32_t(found - win_ansi);
 }
 
 std::uint32_t big_endian(std::string_view bytes) {
@@ -94,7 +93,6 @@ class Writer {
         ground();
         std::string order;
         for (const Layer& layer : document_.layers) order += add(layer);
-        for (const Caption& caption : document_.captions) add(caption);
         return file(scale, order);
     }
 
@@ -128,6 +126,7 @@ class Writer {
         labels_.push_back(layer.label);
         content_ += "/OC /L" + std::to_string(number) + " BDC\n";
         for (const Path& path : layer.paths) add(path);
+        for (const Caption& caption : layer.captions) add(caption);
         std::string inner;
         for (const Layer& part : layer.layers) inner += add(part);
         content_ += "EMC\n";
@@ -164,10 +163,22 @@ class Writer {
         content_ += curve.closed ? "h\n" : "\n";
     }
 
+    /// Letters that the font lacks are shown as question marks, and found and copied as what they are.
     void add(const Caption& caption) {
-        content_ += "0 g BT /Text " + number(caption.size) + " Tf ";
+        has_text_ = true;
+        std::string shown;
+        bool lacks = false;
+        for (const char32_t code : code_points(caption.text)) {
+            const std::uint32_t byte = latin(code);
+            shown += hexadecimal(byte ? byte : '?').substr(14);
+            lacks |= !byte;
+        }
+        if (lacks) content_ += "/Span << /ActualText " + text_of(caption.text) + " >> BDC\n";
+        numbers({caption.color.x, caption.color.y, caption.color.z});
+        content_ += "rg BT /Text " + number(caption.size) + " Tf ";
         numbers({caption.place.x, caption.place.y});
-        content_ += "Td " + latin(caption.text) + " Tj ET\n";
+        content_ += "Td <" + shown + "> Tj ET\n";
+        if (lacks) content_ += "EMC\n";
     }
 
     std::string resources() const {
@@ -179,7 +190,7 @@ class Writer {
         text += ">> /Properties << ";
         for (std::size_t i = 0; i < labels_.size(); ++i) text += "/L" + std::to_string(i) + " " + reference(i);
         if (document_.image) text += ">> /XObject << /Ground " + std::to_string(image_number) + " 0 R ";
-        if (!document_.captions.empty())
+        if (has_text_)
             text +=
                 ">> /Font << /Text << /Type /Font /Subtype /Type1 /BaseFont /Helvetica /Encoding /WinAnsiEncoding >> ";
         return text + ">> >>";
@@ -224,6 +235,7 @@ class Writer {
     std::string out_ = "%PDF-1.5\n%\xe2\xe3\xcf\xd3\n", content_;
     std::vector<std::string> labels_;
     std::map<std::int64_t, bool> opacities_;
+    bool has_text_ = false;
     std::vector<std::size_t> places_;  // of objects
 };
 

@@ -156,6 +156,7 @@ class Writer {
         }
         out_ += ">\n";
         for (const Path& path : layer.paths) add(path);
+        for (const Caption& caption : layer.captions) add(caption);
         for (const Layer& inner : layer.layers) add(inner, depth + 1);
         out_ += "</g>\n";
     }
@@ -171,6 +172,17 @@ class Writer {
         Data data(document_.size.y, out_);
         for (const Curve& curve : path.curves) data.add(curve);
         out_ += "\"/>\n";
+    }
+
+    void add(const Caption& caption) {
+        out_ += "<text";
+        attribute(out_, "id", caption.id);
+        attribute(out_, "x", number(caption.place.x));
+        attribute(out_, "y", number(document_.size.y - caption.place.y));
+        attribute(out_, "font-family", "Helvetica, Arial, sans-serif");
+        attribute(out_, "font-size", number(caption.size));
+        attribute(out_, "fill", hex(caption.color));
+        out_ += ">" + xml(caption.text) + "</text>\n";
     }
 
     void add(const Look& look) {

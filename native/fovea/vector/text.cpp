@@ -2,6 +2,7 @@
 #include <fovea/vector/text.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
 namespace fovea::vector {
@@ -57,11 +58,33 @@ std::string hex_color(double red, double green, double blue) {
     return text;
 }
 
-std::string xml(std::string_view text) {
-    std::string escaped;
+std::u32string code_points(std::string_view text) {
+    std::u32string found;
     while (!text.empty()) {
         const std::size_t size = character(text);
-        switch (size ? text[0] : '?') {
+        const auto first = static_cast<unsigned char>(text[0]);
+        char32_t code = size == 0 ? U'?' : size == 1 ? first : first & (0x7fu >> size);
+        for (std::size_t i = 1; i < size; ++i) code = code << 6 | (static_cast<unsigned char>(text[i]) & 63u);
+        found += code;
+        text.remove_prefix(std::max<std::size_t>(size, 1));
+    }
+    return found;
+}
+
+std::string printable(std::string_view text) {
+    std::string found;
+    while (!text.empty()) {
+        const std::size_t size = character(text);
+        found += size ? text.substr(0, size) : "?";
+        text.remove_prefix(std::max<std::size_t>(size, 1));
+    }
+    return found;
+}
+
+std::string xml(std::string_view text) {
+    std::string escaped;
+    for (const char letter : printable(text)) {
+        switch (letter) {
             case '&':
                 escaped += "&amp;";
                 break;
@@ -75,9 +98,27 @@ std::string xml(std::string_view text) {
                 escaped += "&quot;";
                 break;
             default:
-                escaped += size ? std::string(text.substr(0, size)) : "?";
+                escaped += letter;
         }
-        text.remove_prefix(std::max<std::size_t>(size, 1));
+    }
+    return escaped;
+}
+
+std::string dxf_text(std::string_view text) {
+    const std::u32string codes = code_points(text);
+    const auto begins = [&](std::size_t i, std::u32string_view word) {
+        return codes.compare(i, word.size(), word) == 0;
+    };
+    std::string escaped;
+    for (std::size_t i = 0; i < codes.size(); ++i) {
+        if (codes[i] >= 0x10000) {
+            escaped += '?';
+        } else if (codes[i] >= 0x80 || begins(i, U"\\U+") || begins(i, U"\\M+")) {
+            escaped += "\\U+";
+            for (const char digit : hexadecimal(codes[i]).substr(12)) escaped += char(std::toupper(digit));
+        } else {
+            escaped += codes[i] == U'^' ? "^ " : std::string(1, char(codes[i]));
+        }
     }
     return escaped;
 }
