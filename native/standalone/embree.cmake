@@ -36,6 +36,12 @@ set(kernels common/device common/stat common/acceln common/accelset common/state
 list(TRANSFORM common REPLACE "(.+)" "${folder}/common/\\1.cpp")
 list(TRANSFORM kernels REPLACE "(.+)" "${folder}/kernels/\\1.cpp")
 fovea_static(embree ${common} ${kernels})
+# Linked in, as tables of builders name them, and never called (motion blur, high quality, other people's BVHs), or not
+# where time is spent (two levels: surfaces that move are refitted elsewhere).
+foreach(file bvh/bvh_builder_sah_mb bvh/bvh_builder_sah_spatial bvh/bvh_builder_twolevel common/rtcore_builder
+             common/motion_derivative bvh/bvh_statistics)
+    set_property(SOURCE ${folder}/kernels/${file}.cpp PROPERTY COMPILE_OPTIONS -Os)
+endforeach()
 target_include_directories(embree SYSTEM PUBLIC ${headers}/include)
 target_include_directories(embree SYSTEM PRIVATE ${headers}/kernels/common ${headers}/include/embree3)
 target_compile_definitions(embree PUBLIC EMBREE_STATIC_LIB PRIVATE EMBREE_TARGET_SSE2 EMBREE_LOWEST_ISA TASKING_TBB)
