@@ -42,11 +42,12 @@ def test_a_module_needs_nothing_but_the_system(platform, python):
 
 @pytest.mark.parametrize("platform", toolchain.PLATFORMS.values(), ids=lambda platform: platform.name)
 def test_the_zip_of_a_platform_has_at_most_10_mb(platform):
-    """Its modules, and all files of the extension, compressed as zip files have them."""
+    """Its modules, and all files of the extension, compressed as zip files have them; names and licenses of the wheels
+    are 148 kB more."""
     modules = [module(platform, python) for python in toolchain.PYTHONS]
     files = [file for folder in ("addon", "shaders") for file in (PROJECT / folder).rglob("*") if file.is_file()]
     rest = [file for file in files if file.suffix not in (".pyi", ".pyc")]
-    assert sum(len(zlib.compress(file.read_bytes(), 9)) for file in (*modules, *rest)) < 10_000_000
+    assert sum(len(zlib.compress(file.read_bytes(), 9)) for file in (*modules, *rest)) < 9_850_000
 
 
 def test_a_module_that_needs_libraries_of_debian_is_found_out():
