@@ -100,7 +100,8 @@ def test_half_the_percentage_is_half_the_size_of_the_same_drawing(scene, tmp_pat
     assert np.abs(half - shrunk).mean() < 0.03
 
 
-def test_passes_in_a_multilayer_exr(scene, tmp_path):
+def test_passes_in_a_multilayer_exr(tmp_path):
+    scene = box_scene_of_one_set()
     scene.view_layers[0].use_pass_z = True
     scene.camera.data.type = "ORTHO"
     scene.camera.location, scene.camera.rotation_euler = (0, 0, 10), (0, 0, 0)

@@ -48,7 +48,7 @@ struct Animation {
               number(-1048574, 1048574, 1048574)},
         Field{"written", &Animation::written, "Written",
               "How much of each line is drawn, from its start: keyed from 0 to 1, lines write themselves", share},
-        Field{"visibility_frames", &Animation::visibility_frames, "Visibility over Frames",
+        Field{"visibility_frames", &Animation::visibility_frames, "Visibility Over Frames",
               "Renders draw lines of meshes by how long they are seen from so many frames before to as many after: a "
               "single one takes as many times as long, an animation little longer",
               number(0, 8, 8)},
