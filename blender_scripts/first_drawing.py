@@ -62,6 +62,8 @@ def followed(shown):
         bpy.ops.fovea.standard_view()
     yield from shown()
     yield from pressed("NUMPAD_0")
+    # Until the view has turned to the camera, the next key frames the scene, which may then lie under the sidebar.
+    yield from screen.until(lambda: screen.space().region_3d.view_perspective == "CAMERA")
     yield from pressed("HOME")
     yield from screen.rest(0.5)
     screen.space().shading.type = "RENDERED"
