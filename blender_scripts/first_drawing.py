@@ -26,7 +26,7 @@ def steps(folder, output):
 
     def shown():
         yield from settled()
-        sheet.save(smaller(screen.whole()), Path(output) / f"{next(names)}.jpg")
+        sheet.save(smaller(screen.whole()), Path(output) / f"{next(names)}.jpg", pages.JPEG_QUALITY)
 
     yield from opened()
     yield from followed(shown)

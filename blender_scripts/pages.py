@@ -33,7 +33,7 @@ from scenes import lessons
 
 FAINT = {"pen.width": 2.8, "pen.color": (0.4, 0.4, 0.4), "pen.taper": 0.0}
 BOLD = {"pen.width": 7.5, "pen.color": (0.0, 0.0, 0.0), "pen.taper": 0.0, "pen.strength_width": 0.5}
-GREYS, FEW_GREYS = 16, 6  # gray levels; fewer give smaller files
+GREYS, FEW_GREYS = 16, 6  # gray levels: fewer give smaller files, and the pages are part of the extension
 EYE = np.array((0.13, -0.3, 0.09))  # of the monkey, in its widths
 WEIGHTS = 64  # steps of a painted vertex group
 
@@ -47,7 +47,13 @@ def main(words):
         for name in options.names:
             group, _, shown = name.partition("/")
             made = DRAWN_BY[group](shown, Path(folder) / "part.png")
-            sheet.save(made, options.folder / pages.file_of(name))
+            made = in_grays(made) if made.ndim == 2 else made
+            sheet.save(made, options.folder / pages.file_of(name), pages.JPEG_QUALITY)
+
+
+def in_grays(picture, count=GREYS):
+    """The picture in so many grays."""
+    return np.round(picture * (count - 1)) / (count - 1)
 
 
 def line(name, path):
@@ -55,8 +61,7 @@ def line(name, path):
     shown = pages.LINES[name]
     open_model(shown.model)
     faint = draw_lines(shown, shown.beneath, shown.beneath_params, FAINT, path)
-    both = np.minimum(faint, draw_lines(shown, (name,), (), BOLD, path))
-    return np.round(both * (GREYS - 1)) / (GREYS - 1)
+    return np.minimum(faint, draw_lines(shown, (name,), (), BOLD, path))
 
 
 def stage(name, path):
@@ -142,7 +147,7 @@ def titled(name, path):
     asked = vectors.options_of(scene, draw_options.titles(options, ""), **draw_options.vector_options(options))
     vectors.write(vectors.drawing(bpy.context, "svg", asked), svg)
     subprocess.run(["rsvg-convert", "-w", str(2 * pages.TITLED_WIDTH), svg, "-o", path], check=True)
-    return np.round(halved(sheet.gray(path)) * (FEW_GREYS - 1)) / (FEW_GREYS - 1)
+    return in_grays(halved(sheet.gray(path)), FEW_GREYS)
 
 
 def page(name, path):
@@ -178,7 +183,7 @@ def section(name, path):
 def stroke(name, path):
     """(H, W) picture of a monkey by a pen that changes along its strokes, supersampled by 2."""
     open_model(pages.MONKEY[0])
-    return monkey(pages.STROKES_PEN | pages.STROKES[name], path, GREYS)
+    return monkey(pages.STROKES_PEN | pages.STROKES[name], path)
 
 
 def following(name, path):
@@ -187,17 +192,17 @@ def following(name, path):
     shown = []
     for frame, settings in enumerate(pages.FOLLOWING[name], start=1):
         bpy.context.scene.frame_set(frame)
-        shown.append(monkey(pages.FOLLOWING_PEN | settings, path, FEW_GREYS))
-    return np.hstack(shown)
+        shown.append(monkey(pages.FOLLOWING_PEN | settings, path))
+    return in_grays(np.hstack(shown), FEW_GREYS)
 
 
-def monkey(settings, path, grays):
-    """(H, W) picture of the monkey that is open in so many grays, with properties of its style, supersampled by 2."""
+def monkey(settings, path):
+    """(H, W) picture of the monkey that is open, with properties of its style, supersampled by 2."""
     width, height = quantities.frame_size(pages.STROKES_SIZE)
     words = [*pages.STROKES_WORDS, "--size", f"{2 * width}x{2 * height}", "-o", str(path)]
     set_drawing(bpy.context.scene, draw_options.parse(words), settings)
     picture.render(bpy.context.scene, path)
-    return np.round(halved(sheet.gray(path)) * (grays - 1)) / (grays - 1)
+    return halved(sheet.gray(path))
 
 
 def painted(name, path):
@@ -266,7 +271,7 @@ def moving(name, path):
     between = np.full((len(rows[0]), strips[0].shape[1] - 2 * rows[0].shape[1]), 0.5)
     bands = [*strips, np.hstack([rows[0], between, rows[1]])]
     made = np.vstack([np.pad(band, ((4, 4), (0, 0)), constant_values=1.0) for band in bands[::-1]])
-    return np.round(made * (FEW_GREYS - 1)) / (FEW_GREYS - 1)
+    return in_grays(made, FEW_GREYS)
 
 
 def passing(name, path):
@@ -285,7 +290,7 @@ def passing(name, path):
         everything = slice(None), slice(width // 5, width - width // 5)
         rows.append(pictures.strip(shown, everything))
     made = np.vstack([np.pad(row, ((4, 4), (0, 0)), constant_values=1.0) for row in rows[::-1]])
-    return np.round(made * (FEW_GREYS - 1)) / (FEW_GREYS - 1)
+    return in_grays(made, FEW_GREYS)
 
 
 def animation(name, path):

@@ -107,11 +107,9 @@ def gray(path):
     return picture.pixels(path)[..., :3].mean(axis=2)
 
 
-def save(sheet, path):
-    """Saves an (H, W) sheet as a gray PNG, an (H, W, 3) sheet as a JPEG, without color conversion. They are part of the
-    extension, which is to be small: grays are sixteen."""
+def save(sheet, path, quality=70):
+    """Saves an (H, W) sheet as an 8-bit gray PNG, an (H, W, 3) sheet as a JPEG, without color conversion."""
     gray = sheet.ndim == 2
-    sheet = np.round(15 * sheet) / 15 if gray else sheet
     colors = np.repeat(sheet[..., None], 3, axis=2) if gray else sheet
     image = bpy.data.images.new("Sheet", sheet.shape[1], sheet.shape[0])
     image.colorspace_settings.name = "Non-Color"
@@ -123,7 +121,7 @@ def save(sheet, path):
     if gray:
         stored.file_format, stored.color_mode, stored.color_depth, stored.compression = "PNG", "BW", "8", 100
     else:
-        stored.file_format, stored.color_mode, stored.quality = "JPEG", "RGB", 60
+        stored.file_format, stored.color_mode, stored.quality = "JPEG", "RGB", quality
     with output.written(path, picture.is_whole) as fresh:
         image.save_render(str(fresh), scene=scene)
     ending.announce(path)

@@ -207,6 +207,7 @@ PASSING = {  # scene with motion -> settings of each row of its picture
         *({"animation.visibility_frames": 2, "animation.vanish": how} for how in ("FADE", "BREAK_UP", "RETRACT")),
     ]
 }
+JPEG_QUALITY = 60  # of pictures that are part of the extension
 STEPS = ("1_engine", "2_rendered", "3_style", "4_focus", "5_pull")  # pictures of first_drawing.md
 
 

@@ -48,6 +48,19 @@ def drawn(scene, path):
     return pixels_of(path)
 
 
+def drawn_at(scene, frame, folder):
+    """(H, W, 4) of a PNG still of a frame."""
+    scene.frame_set(frame)
+    return drawn(scene, folder / f"{frame}.png")
+
+
+def drawn_at_once(scene, frames, folder):
+    """{frame: (H, W, 4)} of the frames of the scene's range, by one call of Blender."""
+    scene.render.filepath = str(folder / "run_####.png")
+    bpy.ops.render.render(animation=True)
+    return {frame: pixels_of(folder / f"run_{frame:04}.png") for frame in frames}
+
+
 def ink(picture):
     """(H, W) how dark each pixel is."""
     return 1 - picture[..., :3].mean(axis=2)

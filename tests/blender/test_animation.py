@@ -8,7 +8,7 @@ import bpy
 import numpy as np
 import pytest
 from photographs import parts, photograph
-from pictures import box_scene_of_one_set, drawn, ink, pixels_of
+from pictures import box_scene_of_one_set, drawn, drawn_at_once, ink
 from test_vectors import SVG, ElementTree, exported, points
 from the_addon import add_camera, own_style, part
 
@@ -135,10 +135,8 @@ def test_a_frame_is_the_same_alone_in_order_backwards_and_shuffled(at, tmp_path,
     for frame in (*reversed(FRAMES), *random.Random(4).sample(FRAMES, len(FRAMES))):
         assert (at(scene, frame) == alone[frame]).all(), frame
     scene.frame_start, scene.frame_end = FRAMES[0], FRAMES[-1]
-    scene.render.filepath = str(tmp_path / "run_####")
-    bpy.ops.render.render(animation=True)
-    for frame in FRAMES:
-        assert (pixels_of(tmp_path / f"run_{frame:04}.png") == alone[frame]).all(), frame
+    for frame, picture in drawn_at_once(scene, FRAMES, tmp_path).items():
+        assert (picture == alone[frame]).all(), frame
 
 
 def test_written_lines_grow_from_nothing_to_all_of_them(at):

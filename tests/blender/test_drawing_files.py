@@ -3,8 +3,6 @@
 files with every render."""
 
 import io
-import shutil
-import subprocess
 import sys
 import xml.etree.ElementTree as ElementTree
 import zipfile
@@ -14,6 +12,7 @@ import bpy
 import numpy as np
 import pytest
 from pictures import box_scene, drawn, ink, pixels_of
+from programs import program, ran
 from the_addon import add_hidden, lines_of, own_style, part, shader_material, use_style
 
 sys.path.insert(0, str(Path(__file__).parents[2] / "blender_scripts"))
@@ -39,16 +38,6 @@ def scene():
 def with_hidden(scene):
     add_hidden(lines_of(scene))
     return scene
-
-
-def program(name):
-    return shutil.which(name) or pytest.skip(f"there is no {name} here")
-
-
-def ran(*words):
-    done = subprocess.run([str(word) for word in words], capture_output=True, text=True, timeout=100)
-    assert done.returncode == 0, done.stderr
-    return done.stdout
 
 
 def coverage(film):

@@ -9,7 +9,7 @@ from pathlib import Path
 import bpy
 import numpy as np
 import pytest
-from pictures import drawn, ink, pixels_of
+from pictures import drawn_at, drawn_at_once, ink
 from the_addon import add_camera, box_mesh, empty_scene, lines_of, new_object, own_style, part, use_style
 
 sys.path.insert(0, str(Path(__file__).parents[2] / "blender_scripts"))
@@ -55,18 +55,6 @@ def fence():
     return scene
 
 
-def at(scene, frame, path):
-    scene.frame_set(frame)
-    return drawn(scene, path / f"{frame}.png")
-
-
-def animation(scene, path):
-    """Pictures of all frames, by one call of Blender."""
-    scene.render.filepath = str(path / "run_####.png")
-    bpy.ops.render.render(animation=True)
-    return {frame: pixels_of(path / f"run_{frame:04}.png") for frame in FRAMES}
-
-
 def test_a_frame_alone_is_that_of_the_animation_either_way(fence, tmp_path):
     """Also where meshes change their shape, and so their surfaces, from frame to frame."""
     grown = new_object(box_mesh(0.3, "Grown"), "Grown", (0, -3, 0))
@@ -77,15 +65,15 @@ def test_a_frame_alone_is_that_of_the_animation_either_way(fence, tmp_path):
     for frame, value in ((-4, 0), (10, 1)):
         tall.value = value
         tall.keyframe_insert("value", frame=frame)
-    alone = at(fence, 3, tmp_path)
-    forwards = animation(fence, tmp_path)
-    backwards = {frame: at(fence, frame, tmp_path) for frame in reversed(FRAMES)}
+    alone = drawn_at(fence, 3, tmp_path)
+    forwards = drawn_at_once(fence, FRAMES, tmp_path)
+    backwards = {frame: drawn_at(fence, frame, tmp_path) for frame in reversed(FRAMES)}
     np.testing.assert_array_equal(alone, forwards[3])
     for frame in FRAMES:
         np.testing.assert_array_equal(backwards[frame], forwards[frame])
     assert np.abs(forwards[3] - forwards[4]).max() > 0.3
     set_elision(fence, "frames", 0)
-    assert np.abs(at(fence, 3, tmp_path) - alone).max() > 0.05
+    assert np.abs(drawn_at(fence, 3, tmp_path) - alone).max() > 0.05
 
 
 @pytest.fixture
@@ -102,7 +90,7 @@ def looked(monkeypatch):
 
 
 def test_the_lines_of_a_frame_are_found_once_in_an_animation(fence, tmp_path, looked):
-    animation(fence, tmp_path)
+    drawn_at_once(fence, FRAMES, tmp_path)
     others = set(range(FRAMES[0] - 2, FRAMES[-1] + 3)) - {FRAMES[0]}  # whose lines are found as it is drawn
     assert sorted(looked) == sorted(others)
     assert not near_frames._frames.looked, "nothing is kept beyond it"
@@ -110,7 +98,7 @@ def test_the_lines_of_a_frame_are_found_once_in_an_animation(fence, tmp_path, lo
 
 def test_the_lines_of_each_view_layer_are_found_once(fence, tmp_path, looked):
     fence.view_layers.new("Other")
-    animation(fence, tmp_path)
+    drawn_at_once(fence, FRAMES, tmp_path)
     assert len(looked) == 2 * (len(FRAMES) + 4 - 1)
 
 
@@ -118,18 +106,18 @@ def test_a_cut_and_one_back_again_are_cuts_in_an_animation(fence, tmp_path):
     other = add_camera((6, -14, 9), (0, 0, 0))
     for frame, camera in ((-10, fence.camera), (3, other), (4, fence.camera)):
         fence.timeline_markers.new(f"at {frame}", frame=frame).camera = camera
-    found = animation(fence, tmp_path)
+    found = drawn_at_once(fence, FRAMES, tmp_path)
     for frame in FRAMES:
-        np.testing.assert_array_equal(at(fence, frame, tmp_path), found[frame])
+        np.testing.assert_array_equal(drawn_at(fence, frame, tmp_path), found[frame])
 
 
 def test_a_memory_limit_changes_no_picture(fence, tmp_path, looked):
     kept = part("scene.kept")
-    whole = animation(fence, tmp_path)
+    whole = drawn_at_once(fence, FRAMES, tmp_path)
     often = len(looked)
     kept.limit = 1
     try:
-        small = animation(fence, tmp_path)
+        small = drawn_at_once(fence, FRAMES, tmp_path)
     finally:
         kept.limit = 0
     assert len(looked) - often > often, "lines are let go"
@@ -147,21 +135,21 @@ def test_what_changes_between_the_frames_of_an_animation_counts(fence, tmp_path)
 
     bpy.app.handlers.render_post.append(move)
     try:
-        found = animation(fence, tmp_path)
+        found = drawn_at_once(fence, FRAMES, tmp_path)
     finally:
         bpy.app.handlers.render_post.remove(move)
     for frame in (3, 4, 5):
-        np.testing.assert_array_equal(at(fence, frame, tmp_path), found[frame])
+        np.testing.assert_array_equal(drawn_at(fence, frame, tmp_path), found[frame])
 
 
 def test_frames_beyond_the_range_count_as_well(fence, tmp_path):
-    alone = at(fence, 1, tmp_path)
+    alone = drawn_at(fence, 1, tmp_path)
     fence.frame_start = -10
-    np.testing.assert_array_equal(at(fence, 1, tmp_path), alone)
+    np.testing.assert_array_equal(drawn_at(fence, 1, tmp_path), alone)
 
 
 def test_the_scene_is_left_at_its_frame(fence, tmp_path, monkeypatch):
-    at(fence, 3, tmp_path)
+    drawn_at(fence, 3, tmp_path)
     assert fence.frame_current == 3 and fence.frame_subframe == 0
     assert session.last_statistics()["stages"]["near_frames"] > 0
     asked = []
@@ -172,7 +160,7 @@ def test_the_scene_is_left_at_its_frame(fence, tmp_path, monkeypatch):
 
     monkeypatch.setattr(session.pipeline, "frame", broken)
     with pytest.raises(RuntimeError, match="ink ran out"):
-        at(fence, 3, tmp_path)
+        drawn_at(fence, 3, tmp_path)
     assert asked == [1] and fence.frame_current == 3 and fence.frame_subframe == 0
 
 
@@ -181,20 +169,20 @@ def test_what_is_keyed_has_its_own_value_at_every_frame(fence, tmp_path):
     fence.camera.animation_data_clear()
     for frame, spacing in ((3, 0), (4, 160)):
         key_spacing(fence, frame, spacing)
-    amounts = [ink(at(fence, frame, tmp_path)).sum() for frame in range(8)]
+    amounts = [ink(drawn_at(fence, frame, tmp_path)).sum() for frame in range(8)]
     assert amounts[0] == pytest.approx(amounts[1]) and amounts[6] == pytest.approx(amounts[7])
     steps = -np.diff(amounts[1:7])
     assert (steps > 0).all() and steps.max() < 0.5 * (amounts[0] - amounts[7])
     set_elision(fence, "frames", 0)
-    assert ink(at(fence, 3, tmp_path)).sum() == pytest.approx(amounts[0])
-    assert ink(at(fence, 4, tmp_path)).sum() == pytest.approx(amounts[7])
+    assert ink(drawn_at(fence, 3, tmp_path)).sum() == pytest.approx(amounts[0])
+    assert ink(drawn_at(fence, 4, tmp_path)).sum() == pytest.approx(amounts[7])
 
 
 def test_where_nothing_moves_nothing_changes(fence, tmp_path):
     fence.camera.animation_data_clear()
-    smooth = at(fence, 3, tmp_path)
+    smooth = drawn_at(fence, 3, tmp_path)
     set_elision(fence, "frames", 0)
-    np.testing.assert_array_equal(at(fence, 3, tmp_path), smooth)
+    np.testing.assert_array_equal(drawn_at(fence, 3, tmp_path), smooth)
 
 
 def test_a_cut_to_another_camera_is_one(fence, tmp_path):
@@ -202,10 +190,10 @@ def test_a_cut_to_another_camera_is_one(fence, tmp_path):
     other = add_camera((6, -14, 9), (0, 0, 0))
     for frame, camera in ((-10, first), (4, other)):
         fence.timeline_markers.new(f"at {frame}", frame=frame).camera = camera
-    cut = at(fence, 4, tmp_path)
+    cut = drawn_at(fence, 4, tmp_path)
     first.animation_data_clear()
     first.location.x += 2.0  # seen by no frame from 4 on
-    np.testing.assert_array_equal(at(fence, 4, tmp_path), cut)
+    np.testing.assert_array_equal(drawn_at(fence, 4, tmp_path), cut)
 
 
 @pytest.mark.parametrize("name, value", [("visibility", "SPINE"), ("enabled", False), ("frames", 0)])
@@ -218,7 +206,7 @@ def test_other_frames_are_asked_only_where_they_count(fence, tmp_path, monkeypat
         fence.fovea.visibility = value
     else:
         set_elision(fence, name, value)
-    at(fence, 3, tmp_path)
+    drawn_at(fence, 3, tmp_path)
     assert "near_frames" not in session.last_statistics()["stages"]
 
 
@@ -233,7 +221,7 @@ def test_lines_come_and_go_more_slowly(fence, tmp_path, backend):
         """Places on the lines of a picture, of which the pipeline made the last Frame."""
         made = []
         with world.kept_results(pipeline, "frame", made):
-            at(fence, frame, tmp_path)
+            drawn_at(fence, frame, tmp_path)
         return coherence.on_paths(world.Drawn(None, made[-1].view, None, made[-1], made[-1].shown))
 
     largest = {}

@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Title blocks of drawings, whose texts scenes keep: found again in files by other programs."""
 
-import shutil
-import subprocess
 import sys
 import xml.etree.ElementTree as ElementTree
 from pathlib import Path
@@ -12,6 +10,7 @@ import bpy
 import pytest
 from panel_layouts import RecordingLayout, full_scene, shown_by
 from pictures import box_scene
+from programs import program, ran
 from the_addon import own_style, part
 
 sys.path.insert(0, str(Path(__file__).parents[2] / "blender_scripts"))
@@ -45,16 +44,6 @@ def exported(path, **words):
     words = {"sheet": "a4", "title_block": True} | words
     assert bpy.ops.fovea.export_vectors(filepath=str(path), kind=path.suffix[1:], **words) == {"FINISHED"}
     return path
-
-
-def program(name):
-    return shutil.which(name) or pytest.skip(f"there is no {name} here")
-
-
-def ran(*words):
-    done = subprocess.run([str(word) for word in words], capture_output=True, text=True, timeout=100)
-    assert done.returncode == 0, done.stderr
-    return done.stdout
 
 
 def said(svg):

@@ -7,7 +7,7 @@ import random
 import bpy
 import numpy as np
 import pytest
-from pictures import drawn, ink, pixels_of
+from pictures import drawn_at, drawn_at_once, ink
 from the_addon import add_camera, box_mesh, empty_scene, new_object, only_lines, own_style, part, use_style
 
 near_frames, session = part("render.near_frames"), part("render.session")
@@ -45,30 +45,18 @@ def passing():
     return scene
 
 
-def at(scene, frame, path):
-    scene.frame_set(frame)
-    return drawn(scene, path / f"{frame}.png")
-
-
-def animation(scene, path):
-    """Pictures of all frames, by one call of Blender."""
-    scene.render.filepath = str(path / "run_####.png")
-    bpy.ops.render.render(animation=True)
-    return {frame: pixels_of(path / f"run_{frame:04}.png") for frame in FRAMES}
-
-
 @pytest.mark.parametrize("vanish, thinned", [("FADE", 1), ("BREAK_UP", 0)])
 def test_a_frame_is_the_same_alone_in_order_backwards_and_shuffled(passing, tmp_path, vanish, thinned):
     own_style(passing).elision.enabled, own_style(passing).elision.frames = thinned > 0, thinned
     over(passing, 2, vanish)
-    alone = {frame: at(passing, frame, tmp_path) for frame in FRAMES}
-    together = animation(passing, tmp_path)
+    alone = {frame: drawn_at(passing, frame, tmp_path) for frame in FRAMES}
+    together = drawn_at_once(passing, FRAMES, tmp_path)
     for frame in (*FRAMES, *reversed(FRAMES), *random.Random(4).sample(FRAMES, len(FRAMES))):
-        np.testing.assert_array_equal(at(passing, frame, tmp_path), alone[frame])
+        np.testing.assert_array_equal(drawn_at(passing, frame, tmp_path), alone[frame])
     for frame in FRAMES:
         np.testing.assert_array_equal(together[frame], alone[frame])
     over(passing, 0)
-    assert np.abs(at(passing, 3, tmp_path) - alone[3]).max() > 0.05
+    assert np.abs(drawn_at(passing, 3, tmp_path) - alone[3]).max() > 0.05
 
 
 def test_without_it_no_other_frame_is_asked(passing, tmp_path, monkeypatch):
@@ -77,10 +65,10 @@ def test_without_it_no_other_frame_is_asked(passing, tmp_path, monkeypatch):
 
     monkeypatch.setattr(near_frames, "near", asked)
     over(passing, 0)
-    at(passing, 3, tmp_path)
+    drawn_at(passing, 3, tmp_path)
     over(passing, 2)
     passing.fovea.visibility = "SPINE"
-    at(passing, 3, tmp_path)
+    drawn_at(passing, 3, tmp_path)
 
 
 def test_the_lines_of_a_frame_are_found_once_in_an_animation(passing, tmp_path, monkeypatch):
@@ -91,7 +79,7 @@ def test_the_lines_of_a_frame_are_found_once_in_an_animation(passing, tmp_path, 
         return look(engine, depsgraph, *arguments)
 
     monkeypatch.setattr(session, "_look", looking)
-    animation(passing, tmp_path)
+    drawn_at_once(passing, FRAMES, tmp_path)
     assert sorted(frames) == sorted(set(range(FRAMES[0] - 2, FRAMES[-1] + 3)) - {FRAMES[0]})
 
 
@@ -100,10 +88,10 @@ def test_a_cut_to_another_camera_ends_the_window(passing, tmp_path):
     other = add_camera((3, -13, 3), (0, 0, 0))
     for frame, camera in ((-10, first), (4, other)):
         passing.timeline_markers.new(f"at {frame}", frame=frame).camera = camera
-    cut = at(passing, 4, tmp_path)
+    cut = drawn_at(passing, 4, tmp_path)
     first.animation_data_clear()
     first.location.x += 2.0  # seen by no frame from 4 on
-    np.testing.assert_array_equal(at(passing, 4, tmp_path), cut)
+    np.testing.assert_array_equal(drawn_at(passing, 4, tmp_path), cut)
 
 
 def test_an_object_that_hides_for_a_single_frame_does_not_blink(passing, tmp_path):
@@ -116,10 +104,10 @@ def test_an_object_that_hides_for_a_single_frame_does_not_blink(passing, tmp_pat
         pole.hide_render = hidden
         pole.keyframe_insert("hide_render", frame=frame)
     over(passing, 0)
-    at_once = {frame: ink(at(passing, frame, tmp_path)).sum() for frame in (2, 3, 4)}
+    at_once = {frame: ink(drawn_at(passing, frame, tmp_path)).sum() for frame in (2, 3, 4)}
     assert at_once[2] == at_once[4] > 1.02 * at_once[3]
     over(passing, 2)
-    blurred = {frame: ink(at(passing, frame, tmp_path)).sum() for frame in (-1, 1, 2, 3, 4, 5, 7)}
+    blurred = {frame: ink(drawn_at(passing, frame, tmp_path)).sum() for frame in (-1, 1, 2, 3, 4, 5, 7)}
     missing = {frame: (at_once[2] - amount) / (at_once[2] - at_once[3]) for frame, amount in blurred.items()}
     assert missing[-1] == missing[7] == 0
     for frame in (2, 3, 4):
@@ -137,13 +125,13 @@ def test_a_change_of_topology_ends_the_match(passing, tmp_path):
         builds.show_render = builds.show_viewport = on
         builds.keyframe_insert("show_render", frame=frame)
         builds.keyframe_insert("show_viewport", frame=frame)
-    pictures = {frame: at(passing, frame, tmp_path) for frame in (3, 4)}
+    pictures = {frame: drawn_at(passing, frame, tmp_path) for frame in (3, 4)}
     assert all(ink(picture).sum() > 0 for picture in pictures.values())
     bpy.data.objects["Pole"].animation_data_clear()
     passing.camera.animation_data_clear()
-    still = at(passing, 4, tmp_path)
+    still = drawn_at(passing, 4, tmp_path)
     over(passing, 0)
-    np.testing.assert_array_equal(at(passing, 4, tmp_path), still)
+    np.testing.assert_array_equal(drawn_at(passing, 4, tmp_path), still)
 
 
 @pytest.mark.parametrize("vanish", ["FADE", "SHRINK", "BREAK_UP", "RETRACT"])
@@ -151,7 +139,7 @@ def test_the_gpu_draws_the_same(passing, tmp_path, vanish):
     if part("render.gpu_context").gl_renderer() is None:
         pytest.skip("OpenGL is unusable here")
     over(passing, 2, vanish)
-    by_cpu = at(passing, 3, tmp_path)
+    by_cpu = drawn_at(passing, 3, tmp_path)
     passing.fovea.backend = "GPU"
-    off = np.abs(at(passing, 3, tmp_path) - by_cpu)
+    off = np.abs(drawn_at(passing, 3, tmp_path) - by_cpu)
     assert off.mean() < 1e-3 and (off > 0.05).mean() < 1e-3

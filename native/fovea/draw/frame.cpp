@@ -140,9 +140,8 @@ void Frame::thin() {
     if (thins())
         stage("elision", 0.05, [&] {
             const style::Elision& elision = job.style.elision;
-            const float cut = float(elision.cut);
             if (job.near.empty()) {
-                shown = left(cut);
+                shown = left(float(elision.cut));
                 return;
             }
             const auto now = found_lines();
@@ -150,10 +149,16 @@ void Frame::thin() {
             for (const auto& [away, lines] : job.near)
                 if (lines.shown && std::abs(away) <= elision.frames) near.emplace_back(away, lines.shown);
             shown = smoothed_in_time(now->shown, *now->lines.shown, near, elision.frames);
-            for (float& opacity : shown)
-                if (opacity < cut) opacity = 0.0f;
+            leave_out_faint();
         });
     done_ = Step::thin;
+}
+
+/// Of what elision leaves, that below its threshold.
+void Frame::leave_out_faint() {
+    const float cut = float(job.style.elision.cut);
+    for (float& opacity : shown)
+        if (opacity < cut) opacity = 0.0f;
 }
 
 void Frame::shape() {

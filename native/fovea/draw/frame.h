@@ -142,6 +142,7 @@ class Frame {
     bool has(Step step) const { return done_ >= step; }
     void stage(const char* name, double share, const std::function<void()>& body);
     void unfold();
+    void leave_out_faint();
     Runs with_halos() const;
     Runs over_frames(Runs runs);
     Runs with_ends(const Runs& runs) const;

@@ -34,8 +34,7 @@ Runs Frame::over_frames(Runs runs) {
     if (!shown.empty()) {
         const LinePlaces places = line_places(*clipped, *paths, *job.scene, found, job.view.width, job.view.height);
         show_as_near(shown, places, samples_from_runs(*clipped, runs), elided);
-        for (float& opacity : shown)
-            if (opacity < float(job.style.elision.cut)) opacity = 0.0f;
+        leave_out_faint();
     }
     if (!samples.empty()) {
         // What partly visible samples say of ends is of the lines as they are now.

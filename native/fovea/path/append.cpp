@@ -83,8 +83,11 @@ void Appender::write(const Chains& chains, Slot slot, const LineSet& line_set, c
         paths.placement[p] = slot.placement;
         paths.id[p] = id(c);
         double arc = 0.0;
+        dvec3 last(0.0);
         for (Index i = 0; i < chains.rows.size(c); ++i) {
-            if (i > 0) arc += glm::distance(at_rest(begin + i - 1), at_rest(begin + i));
+            const dvec3 here = at_rest(begin + i);
+            if (i > 0) arc += glm::distance(last, here);
+            last = here;
             paths.points_obj[to + i] = point(begin + i);
             paths.arc_obj[to + i] = arc;
             more(to + i, begin + i);
