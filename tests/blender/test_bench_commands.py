@@ -94,10 +94,11 @@ def test_bench_coherence_finds_dashes_that_hold_still_and_those_that_slide(capfd
 
 
 def test_bench_scale_tells_times_memory_and_stages_of_every_count(capfd):
-    words = "--quick", "--size", "160x90"
+    given = [("instances", 1000), ("objects", 100), ("picture", 160 * 90)]
+    words = "--quick", "--size", "160x90", "--scenes", ",".join(["grid", *(f"{name}:{n}" for name, n in given)])
     assert scale.main([*words, "--json"], bpy.app.binary_path, dict(os.environ), None) == 0
     rows = json.loads(capfd.readouterr().out)
-    counts = [(name, count // scale.QUICK) for name, counts in scale.COUNTS.items() for count in counts]
+    counts = [("grid", count // scale.QUICK) for count in scale.COUNTS["grid"]] + given
     assert [(row["scene"], row["count"]) for row in rows] == counts
     for row in rows:
         assert row["first_s"] > 0 and row["moved_s"] > 0 and row["blank_s"] >= 0, row

@@ -9,12 +9,23 @@ import bpy
 import pytest
 from pictures import box_scene, drawn
 from test_cut_out import card, leaf
-from the_addon import add_camera, add_hidden, box_mesh, empty_scene, new_object, only_lines, own_style, part, use_style
+from the_addon import (
+    add_camera,
+    add_hidden,
+    box_mesh,
+    empty_scene,
+    lines_of,
+    new_object,
+    only_lines,
+    own_style,
+    part,
+    use_style,
+)
 
 session = part("render.session")
 FRAMES = range(1, 13)
 LINES = [definition["name"] for definition in part("catalogue").definitions()]
-IN_IMAGE = ("image_edge", "abstracted_shading")  # take most of a frame
+IN_IMAGE = ("image_edge", "abstracted_shading")  # take most of a frame, unless they smooth much
 
 
 def deforming_scene(lines):
@@ -41,6 +52,8 @@ def deforming_scene(lines):
     scene.fovea.focus_model, scene.fovea.focus_object = "SCENE", mark
     use_style(scene, "watercolor")
     only_lines(scene, *lines)
+    for name in IN_IMAGE:
+        part("scene.line_kinds").set_parameters(lines_of(scene).kinds, name, {"sigma": 8.0})
     camera = add_camera((3, -4, 3), (0, 0, 0))
     for frame in (FRAMES[0], FRAMES[-1]):
         camera.location.x = 3 + math.sin(frame)

@@ -125,6 +125,7 @@ TEST_P(PlacedLines, AreThoseOfTheBakedSurface) {
     static const Shaped surfaces;
     constexpr double edge = 0.05;
     LineSet set = line_set({GetParam()->name});
+    set.kinds[0].values = quick_values(*GetParam());
     if (std::string(GetParam()->name) == "crease") set.kinds[0].values[0] = 5.0;
     // Without hysteresis, whose yes or no to a whole line may hang on the last digit.
     for (std::size_t i = 0; has_rule<CurveRule>(*GetParam()) && i < GetParam()->parameters.size(); ++i) {

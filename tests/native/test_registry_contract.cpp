@@ -203,12 +203,12 @@ TEST_P(Definition, SaysWhatItIs) {
 
 TEST_P(Definition, IsSoundAndTheSameForAnyNumberOfThreads) {
     for (const View& view : {corner_view, orthographic({6, -5, 4}, {0, 0, 0}, 8), perspective({0, 0, 7}, {0, 0, 0})}) {
-        const Found all(small_scene(), view, every(default_values(definition), index));
+        const Found all(small_scene(), view, every(quick_values(definition), index));
         expect_sound(all, name);
-        const Found again(small_scene(), view, every(default_values(definition), index));
+        const Found again(small_scene(), view, every(quick_values(definition), index));
         expect_same(all.paths, again.paths, name);
         tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
-        const Found alone(small_scene(), view, every(default_values(definition), index));
+        const Found alone(small_scene(), view, every(quick_values(definition), index));
         expect_same(all.paths, alone.paths, name);
     }
 }
@@ -216,7 +216,7 @@ TEST_P(Definition, IsSoundAndTheSameForAnyNumberOfThreads) {
 TEST_P(Definition, FindsSomethingWhenItsParametersAllowIt) {
     Index count = 0;
     for (const bool least : {false, true}) {
-        Values values = default_values(definition);
+        Values values = quick_values(definition);
         for (std::size_t p = 0; least && p < values.size(); ++p) values[p] = definition.parameters[p].low;
         count += Found(small_scene(), corner_view, every(values, index)).paths.count();
     }
@@ -276,18 +276,18 @@ TEST_P(Definition, TakesExtremesOfItsParameters) {
     }
     for (std::size_t p = 0; p < definition.parameters.size(); ++p)
         for (const double extreme : {definition.parameters[p].low, definition.parameters[p].high}) {
-            Values values = default_values(definition);
+            Values values = quick_values(definition);
             values[p] = extreme;
             expect_sound(Found(scene, view, every(values, index)), name);
         }
 }
 
 TEST_P(Definition, TakesDegenerateMeshes) {
-    Values least = default_values(definition);
+    Values least = quick_values(definition);
     for (std::size_t p = 0; p < least.size(); ++p) least[p] = definition.parameters[p].low;
     for (const Mesh& mesh : degenerate_meshes()) {
         const Placement placed = place(mesh);
-        for (const Values& values : {default_values(definition), least})
+        for (const Values& values : {quick_values(definition), least})
             // The last looks along a face, from a vertex.
             for (View view : {corner_view, orthographic({0, 0, 5}, {0, 0, 0}, 4), perspective({0, 1, 0}, {0, 0, 0})}) {
                 SCOPED_TRACE(mesh.name);
@@ -299,9 +299,8 @@ TEST_P(Definition, TakesDegenerateMeshes) {
     }
     // Two of a kind in one place, and a scene of nothing.
     expect_sound(
-        Found({place(box()), place(box(), dmat4(1.0), 2)}, corner_view, every(default_values(definition), index)),
-        name);
-    EXPECT_EQ(Found({}, corner_view, every(default_values(definition), index)).paths.count(), 0u);
+        Found({place(box()), place(box(), dmat4(1.0), 2)}, corner_view, every(quick_values(definition), index)), name);
+    EXPECT_EQ(Found({}, corner_view, every(quick_values(definition), index)).paths.count(), 0u);
 }
 
 INSTANTIATE_TEST_SUITE_P(Registry, Definition, testing::Range(Index(0), Index(line_definitions().size())),

@@ -5,7 +5,7 @@ One process per scene and renderer; runs in plain Python. All lines are dashes o
 the line is what slides or holds still. Freestyle and Line Art begin it anew at each stroke's start.
 
 The same measures, on the same grounds (measures.py), for all: points of a frame's strokes are moved with the scene to
-the next frame, and found on the strokes there. window: frames to each side that a frame's lines answer to. pure:
+the next frame, and found on the strokes there. window: frames to each side that visibility answers to. pure:
 whether frames drawn backwards, in another order and alone in a new scene are equal. changes_per_frame: mean change of
 the number of strokes. slide: how far dashes move along a moving point's line, at most half a period, in pixels.
 stretch: |log2| of a dash's length on paper over the wanted one. blinks_per_1000: strokes that live for at most two
@@ -38,6 +38,8 @@ def parse(words):
     add("--renderers", type=peers.some_of(RENDERERS), default=list(RENDERERS), metavar="A,B", help="of all three")
     add("--lines", type=peers.some_of(LINES), default=list(LINES), metavar="A,B", help="mesh: creases; view: contours")
     add("--anchor", choices=ANCHORS, default="path", help="what Fovea's dashes are fixed to (path)")
+    window = "frames to each side that visibility in Fovea answers to (0)"
+    add("--window", type=frames_to_each_side, default=0, metavar="N", help=window)
     add("--size", type=peers.frame_size, metavar="WxH", help="of the picture (960x540)")
     add("--frames", type=peers.count, metavar="N", help=f"of each scene, at least 2 ({FRAMES})")
     add("--pictures", type=Path, metavar="FOLDER", help="for strips of frames, and one row of pixels over time")
@@ -50,6 +52,12 @@ def parse(words):
     return options
 
 
+def frames_to_each_side(text):
+    if not text.isdecimal():
+        raise argparse.ArgumentTypeError(f"'{text}' is no number of frames")
+    return int(text)
+
+
 def main(words, blender, environment, shared: Path | None) -> int:
     """`environment`: for a Blender with the extension installed."""
     options = parse(words)
@@ -59,6 +67,7 @@ def main(words, blender, environment, shared: Path | None) -> int:
             print(f"fovea: {scene}, {renderer}", file=sys.stderr, flush=True)
             asked = {
                 "scene": scene, "renderer": renderer, "lines": options.lines, "anchor": options.anchor,
+                "window": options.window if renderer == "fovea" else 0,
                 "size": options.size, "frames": options.frames, "shared": str(shared or ""),
                 "pictures": str(options.pictures.absolute()) if options.pictures else "",
             }  # fmt: skip

@@ -20,9 +20,9 @@ REFERENCE = 1080  # pixels of the height that a pen's width is given for
 
 
 class Fovea(renderers.Fovea):
-    def __init__(self, scene, anchor):
+    def __init__(self, scene, anchor, window):
         super().__init__(scene)
-        self.anchor, self.kept, self.image = anchor, None, None
+        self.anchor, self.window, self.kept, self.image = anchor, window, None, None
 
     def lines(self, kinds):
         from bl_ext.user_default.fovea.style import style_data
@@ -31,6 +31,7 @@ class Fovea(renderers.Fovea):
         held = style_data.use(scene, "plain")
         style_data.choose_lines(held, kinds)
         held.elision.enabled = False
+        held.animation.visibility_frames = self.window
         for line_set in held.line_sets:
             line_set.kinds.crease_angle = renderers.CREASE
             pen = line_set.pen
@@ -55,19 +56,22 @@ class Fovea(renderers.Fovea):
         # Places on a path are not linear in the image.
         offsets, point, t, s = divided(offsets, px, view.depth(position), STEP)
         arc, px, position = mixed(arc, point, t), mixed(px, point, t), mixed(position, point, s)
+        piece = np.repeat(np.asarray(found.piece)[drawn], np.diff(offsets))
+        strokes = self.kept.strokes
+        opacity, *anchored = self.drawn_at(piece, arc, [np.asarray(strokes.opacity), *np.asarray(strokes.anchor).T])
         along, whole = arc / PERIOD, np.full(len(arc), float(PERIOD))
         if fixed := self.anchor == "path":
-            along, whole = self.anchored(np.repeat(np.asarray(found.piece)[drawn], np.diff(offsets)), arc)
-        return Strokes(offsets, px, view.to_world(position), view.depth(position), along, whole, fixed)
+            along, whole = anchored
+        return Strokes(offsets, px, view.to_world(position), view.depth(position), along, whole, fixed, opacity)
 
-    def anchored(self, piece, arc):
-        """Places on whole paths, and these paths' pixels, that the drawn strokes have at arc lengths of pieces."""
+    def drawn_at(self, piece, arc, columns):
+        """What columns of the drawn strokes have at arc lengths of pieces."""
         strokes = self.kept.strokes
         own, u = np.asarray(strokes.piece, np.float64), np.asarray(strokes.arc[:, 0], np.float64)
         reach = 2 * max(np.abs(u).max(initial=0), np.abs(arc).max(initial=0)) + 1
         axis = own * reach + u
         order = np.argsort(axis, kind="stable")
-        return (np.interp(piece * reach + arc, axis[order], column[order]) for column in np.asarray(strokes.anchor).T)
+        return (np.interp(piece * reach + arc, axis[order], column[order]) for column in columns)
 
     def trace(self):
         return hashed(self.image)
@@ -121,7 +125,7 @@ def from_start(offsets, world, view):
     """Strokes whose dashes begin at each one's start."""
     px, depth = view.to_pixels(world)
     along = arc_from_start(px, offsets) / PERIOD if len(px) else np.zeros(0)
-    return Strokes(offsets, px, world, depth, along, np.full(len(px), float(PERIOD)), False)
+    return Strokes(offsets, px, world, depth, along, np.full(len(px), float(PERIOD)), False, np.ones(len(px)))
 
 
 def hashed(*arrays):
@@ -131,5 +135,7 @@ def hashed(*arrays):
     return found.hexdigest()
 
 
-def make(name, scene, anchor):
-    return Fovea(scene, anchor) if name == "fovea" else {"line_art": LineArt, "freestyle": Freestyle}[name](scene)
+def make(name, scene, anchor, window):
+    return (
+        Fovea(scene, anchor, window) if name == "fovea" else {"line_art": LineArt, "freestyle": Freestyle}[name](scene)
+    )

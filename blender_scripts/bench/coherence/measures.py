@@ -122,9 +122,10 @@ class Steadiness:
         turn = (found.along - before.along[here]) * periods
         slide = np.abs(turn - np.rint(turn)) * before.whole_px[here] / periods
         self.slide.append(slide[before.length_px[here] > LEAST])
-        was = ink(before.along, before.whole_px, octaves)
+        was = before.opacity * ink(before.along, before.whole_px, octaves)
         becomes = np.zeros_like(was)  # none where there is no line any more
-        becomes[here] = ink(found.along, now.whole_px[found.there], octaves)
+        there = found.there
+        becomes[here] = now.opacity[there] * ink(found.along, now.whole_px[there], octaves)
         self.popping.append(np.abs(becomes - was)[before.length_px > LEAST])
         self.links.append((before.run[here], now.run[found.there], before.run, now.run))
 

@@ -17,7 +17,7 @@ REPEATS = 6  # rows of a frame's pixels
 def drawn(strokes, size):
     """(H, W) picture of Strokes."""
     dots = sampled(strokes, STEP)
-    inked = measures.ink(dots.along, dots.whole_px, strokes.octaves)
+    inked = dots.opacity * measures.ink(dots.along, dots.whole_px, strokes.octaves)
     dark = np.zeros((size[1], size[0]))
     at = np.floor(dots.px).astype(np.int64)
     for row in range(-HALF, HALF + 1):

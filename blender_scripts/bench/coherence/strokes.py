@@ -17,6 +17,7 @@ class Strokes:
     along: np.ndarray  # (M,) the dashes' coordinate, of any unit, that levels leave as it is
     whole_px: np.ndarray  # (M,) pixels that a unit of it has there
     octaves: bool  # whether a unit is divided by powers of two; else it is a period
+    opacity: np.ndarray  # (M,) of the dashes there, in [0, 1]
 
     @property
     def count(self):
@@ -34,6 +35,7 @@ class Samples:
     along: np.ndarray  # (n,)
     per_px: np.ndarray  # (n,) change of `along` per pixel
     whole_px: np.ndarray  # (n,)
+    opacity: np.ndarray  # (n,)
     run: np.ndarray  # (n,) of Strokes
     length_px: np.ndarray  # (n,) length of line that each stands for
 
@@ -93,6 +95,7 @@ def sampled(strokes, step_px):
         along=mixed(strokes.along, segment, t),
         per_px=(strokes.along[after] - strokes.along[segment]) / size,
         whole_px=mixed(strokes.whole_px, segment, t),
+        opacity=mixed(strokes.opacity, segment, t),
         run=run,
         length_px=np.repeat(length[kept] / parts, parts),
     )
