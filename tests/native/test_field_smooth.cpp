@@ -70,6 +70,16 @@ TEST(FieldSmooth, TakesNoiseAway) {
     EXPECT_NE(fields->reason.find("smoothed over 1.5 edges"), std::string::npos) << fields->reason;
 }
 
+TEST(FieldSmooth, LeavesTheFittedNormals) {
+    const auto surface = noisy_torus(0.02).mesh.surface();
+    const Array<Index> some{5, 300, 301, 8000};
+    const Array<vec3> normals = fitted_normals(*surface, some);  // before there are fields
+    const auto fields = fields_of(*surface);
+    EXPECT_NE(fields->reason.find("smoothed"), std::string::npos) << fields->reason;
+    for (std::size_t i = 0; i < some.size(); ++i) EXPECT_EQ(normals[i], fields->curvature[some[i]].normal);
+    EXPECT_LE(fields->feature_size, greatest_feature_size(*surface));
+}
+
 TEST(FieldSmooth, MovesAndGrowsWithTheSurface) {
     const Sample sample = waves({.n = 24, .irregular = true});
     Mesh moved = sample.mesh;

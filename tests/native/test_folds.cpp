@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Folds of rounded surfaces, and the turns beside edges that they stand out against.
+#include <algorithm>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
 #include <numbers>
 #include <set>
 
+#include <fovea/field/fields.h>
 #include <fovea/line/folds.h>
 #include <fovea/line/turns.h>
 
 #include "meshes.h"
+#include "rules.h"
 
 using namespace fovea;
 using namespace fovea::meshes;
@@ -22,9 +25,9 @@ using Ends = std::set<std::pair<Index, Index>>;
 /// Pairs of vertices, the lesser first.
 Ends folds(const Mesh& mesh, double least = 0.0, Shape shape = Shape::rounded, double angle = 30.0) {
     const auto surface = mesh.surface();
-    std::function<double()> shortest;
-    if (least > 0.0) shortest = [&] { return least; };
-    const auto on = line::find_folds(field::FacetEdges(*surface), shape, angle, shortest);
+    std::function<bool(double)> is_short;
+    if (least > 0.0) is_short = [&](double length) { return length < least; };
+    const auto on = line::find_folds(field::FacetEdges(*surface), shape, angle, is_short);
     Ends found;
     for (Index e = 0; e < on.size(); ++e)
         if (on[e]) found.insert(std::minmax(surface->edges[e].x, surface->edges[e].y));
@@ -196,17 +199,30 @@ TEST(Folds, OfThreeEdgesInGroovesAreKeptHoweverShort) {
     }
 }
 
-TEST(Folds, AskForTheLeastLengthOnceIfAnyDependsOnItElseNever) {
+TEST(Folds, AskWhetherALengthIsShortOnlyWhereThatDecides) {
     const auto asked = [](const Mesh& mesh) {
         const auto surface = mesh.surface();
-        int times = 0;
-        line::find_folds(field::FacetEdges(*surface), Shape::rounded, 30.0, [&] { return ++times, 1e-3; });
-        return times;
+        std::set<double> lengths;
+        line::find_folds(field::FacetEdges(*surface), Shape::rounded, 30.0,
+                         [&](double length) { return lengths.insert(length), false; });
+        return lengths;
     };
-    EXPECT_EQ(asked(extruded({60}, 2)), 1);
-    EXPECT_EQ(asked(extruded({60}, 3)), 0);  // grooves of three edges are kept however short
-    EXPECT_EQ(asked(extruded({60}, 1)), 0);  // one edge is left out whatever its length
-    EXPECT_EQ(asked(extruded({5, 5}, 8)), 0);
+    EXPECT_EQ(asked(extruded({60}, 2)), std::set<double>{2.0});
+    EXPECT_TRUE(asked(extruded({60}, 3)).empty());  // grooves of three edges are kept however short
+    EXPECT_TRUE(asked(extruded({60}, 1)).empty());  // one edge is left out whatever its length
+    EXPECT_TRUE(asked(extruded({5, 5}, 8)).empty());
+}
+
+TEST(Folds, ThatAreLongAreCreasesWithoutFields) {
+    Mesh groove = extruded({60}, 2);  // two units long, in a sphere of less
+    groove.shape = Shape::rounded;
+    for (const double least : {6.0, 100.0}) {  // in sizes of features, of a twentieth of the radius at most
+        const auto surface = groove.surface();
+        Array<draw::Kinds> kinds(surface->edges.size(), 0);
+        rule_of<draw::EdgeRule>("crease").mark({.surface = *surface}, {30.0, 1.0, least}, 1, kinds);
+        EXPECT_EQ(std::ranges::count(kinds, 1u), least < 10.0 ? 2 : 0);
+        EXPECT_EQ(fields_reason(*surface).empty(), least < 10.0);
+    }
 }
 
 TEST(Folds, AreThoseOfTheShapeWhateverItsSizePlaceAndOrder) {

@@ -115,7 +115,7 @@ TEST(Touches, AreOfRunsWithThePlacesKeyWithinADistance) {
     const Runs runs = whole(clipped);
     Array<Place> places;
     Array<Index> keys, own;
-    for (Index k = 0; k < 300; ++k) places.push_back({{x(random), y(random)}, k % 2});
+    for (Index k = 0; k < 600; ++k) places.push_back({{x(random), y(random)}, k % 2});
     for (Index r = 0; r < runs.size(); ++r) keys.push_back(r % 3 == 2 ? none : r % 3);
     for (Index k = 0; k < places.size(); ++k) own.push_back(k % Index(runs.size()));
     const Array<Touch> found = touches_of(clipped, runs, places, keys, 5.0);

@@ -27,6 +27,8 @@ constexpr double clean = 0.0007, slightly_noisy = 0.004;
 /// jagged.
 constexpr double smoothing_of_noise = 1.2;
 
+constexpr double most_of_radius = 0.05;  // of feature sizes
+
 struct Choice {
     JetOptions jets;
     double smoothing = 0.0;
@@ -122,7 +124,7 @@ float feature_size_of(const Surface& surface, const Neighbors& neighbors, const 
             low = middle;
         }
     }
-    const double cap = 0.05 * surface.radius, k = low->k;
+    const double cap = most_of_radius * surface.radius, k = low->k;
     return static_cast<float>(0.01 < cap * k ? 0.01 / k : cap);
 }
 
@@ -179,16 +181,16 @@ std::shared_ptr<const Fields> fields_of(const Surface& surface, const FieldOptio
     });
 }
 
+float greatest_feature_size(const Surface& surface) { return static_cast<float>(most_of_radius * surface.radius); }
+
 Array<vec3> fitted_normals(const Surface& surface, In<Index> vertices) {
     const FieldOptions options = surface.field_options();
     check_options(options, surface.name());
     if (!surface.source() && options.estimator != Estimator::one_ring && surface.jets.empty()) {
         const auto neighbors = neighbors_of(surface, options.hard_angle);
         const auto choice = choice_of(surface, *neighbors, options);
-        if (choice->smoothing == 0.0) {
-            const auto fitted = jet_curvature(surface, *neighbors, choice->jets, vertices);
-            return parallel_map<vec3>(vertices.size(), [&](std::size_t i) { return vec3(fitted[i].normal); });
-        }
+        const auto fitted = jet_curvature(surface, *neighbors, choice->jets, vertices);
+        return parallel_map<vec3>(vertices.size(), [&](std::size_t i) { return vec3(fitted[i].normal); });
     }
     const auto fields = fields_of(surface);
     return parallel_map<vec3>(vertices.size(),

@@ -27,8 +27,11 @@ struct Fields {
 std::shared_ptr<const Fields> fields_of(const Surface& surface);
 std::shared_ptr<const Fields> fields_of(const Surface& surface, const FieldOptions& options);
 
-/// Normals, per one of `vertices`, of the surface that the fields with the surface's own options are fitted to. Of
-/// clean positions these vertices alone are fitted; of noisy ones, whose fields are smoothed, all are.
+/// Upper bound of their feature size, without fitting anything.
+float greatest_feature_size(const Surface& surface);
+
+/// Normals, per one of `vertices`, of the surface that the fields with the surface's own options are fitted to, which
+/// smoothing leaves as they are. These vertices alone are fitted.
 Array<vec3> fitted_normals(const Surface& surface, In<Index> vertices);
 
 /// The `reason` of the fields with the surface's own options; empty if they are not cached yet or the cache is locked

@@ -8,6 +8,7 @@
 #include <fovea/line/crease.h>
 
 #include <cmath>
+#include <optional>
 
 #include <fovea/base/elementary.h>
 #include <fovea/field/fields.h>
@@ -58,9 +59,16 @@ void mark(const SurfaceView& seen, const Crease& values, Kinds bit, Array<Kinds>
         mark_edges(surface.mesh_edges, bit, kinds, [&](Index e) { return bevels[e] != 0; });
     }
     if (!any_asked) return;
-    std::function<double()> least;
-    if (!hard && values.length > 0.0) least = [&] { return values.length * field::fields_of(surface)->feature_size; };
-    const Array<std::uint8_t> folds = find_folds(edges, shape, values.angle, least);
+    // Fields take long, and most folds are longer than any feature size.
+    const double surely_long = values.length * field::greatest_feature_size(surface);
+    std::function<bool(double)> is_short;
+    if (!hard && values.length > 0.0)
+        is_short = [&, size = std::optional<double>()](double length) mutable {
+            if (length >= surely_long) return false;
+            if (!size) size = field::fields_of(surface)->feature_size;
+            return length < values.length * *size;
+        };
+    const Array<std::uint8_t> folds = find_folds(edges, shape, values.angle, is_short);
     mark_edges(surface.mesh_edges, bit, kinds, [&](Index e) { return folds[e] != 0; });
 }
 

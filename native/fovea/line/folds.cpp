@@ -2,7 +2,6 @@
 #include <fovea/line/folds.h>
 
 #include <cmath>
-#include <optional>
 
 #include <fovea/base/disjoint_sets.h>
 #include <fovea/base/parallel.h>
@@ -47,7 +46,7 @@ class Folds {
         });
     }
 
-    Array<std::uint8_t> find(const std::function<double()>& least) const {
+    Array<std::uint8_t> find(const std::function<bool(double)>& is_short) const {
         const auto grade = parallel_map<std::uint8_t>(surface_.mesh_edges, [&](std::size_t e) -> std::uint8_t {
             const Hysteresis& by = turns_[Index(e)] < 0.0 ? limits_.concave : limits_.convex;
             return stands_out(Index(e), by.start) ? 2 : stands_out(Index(e), by.onward) ? 1 : 0;
@@ -57,7 +56,7 @@ class Folds {
         for (Index e = 0; e < on.size(); ++e)
             if (grade[e] == 2)
                 for (const Index v : {surface_.edges[e].x, surface_.edges[e].y}) go_on(v, e, grade, on);
-        if (least) drop_short(least, on);
+        if (is_short) drop_short(is_short, on);
         return on;
     }
 
@@ -110,9 +109,9 @@ class Folds {
         bool is_marked = false;  // touches an edge that is marked sharp
     };
 
-    /// Clears folds of one edge, and those shorter than `least`, that touch no edge that is marked sharp and have too
+    /// Clears folds of one edge, and short ones, that touch no edge that is marked sharp and have too
     /// few concave edges.
-    void drop_short(const std::function<double()>& least, Array<std::uint8_t>& on) const {
+    void drop_short(const std::function<bool(double)>& is_short, Array<std::uint8_t>& on) const {
         DisjointSets folds(surface_.vertex_count());
         for (Index e = 0; e < on.size(); ++e)
             if (on[e]) folds.join(surface_.edges[e].x, surface_.edges[e].y);
@@ -128,13 +127,11 @@ class Folds {
                 for (const Index v : {ends.x, ends.y}) extent[folds.name(v)].is_marked = true;
             }
         }
-        std::optional<double> shortest;
         for (Index e = 0; e < on.size(); ++e) {
             if (!on[e]) continue;
             const Extent& fold = extent[folds.name(surface_.edges[e].x)];
             if (fold.is_marked || fold.concave >= limits_.enough_concave) continue;
-            if (fold.edges > 1 && !shortest) shortest = least();
-            on[e] = fold.edges > 1 && fold.length >= *shortest;
+            on[e] = fold.edges > 1 && !is_short(fold.length);
         }
     }
 
@@ -148,8 +145,8 @@ class Folds {
 }  // namespace
 
 Array<std::uint8_t> find_folds(const field::FacetEdges& edges, Shape shape, double angle,
-                               const std::function<double()>& least) {
-    return Folds(edges, angle, shape).find(least);
+                               const std::function<bool(double)>& is_short) {
+    return Folds(edges, angle, shape).find(is_short);
 }
 
 }  // namespace fovea::line

@@ -13,11 +13,10 @@ namespace fovea::line {
 /// clearly from what lies beside them, and continues along edges that do so less (hysteresis, as Canny has it).
 /// `shape`: of the surface, never automatic: on hard ones, all edges that turn by more than 75 degrees are on folds; on
 /// others, folds start at half as much again as `angle`; grooves of rounded ones at a third more, if they turn more
-/// than twice as much as the surface does on average beside them: noses, lips and lids are formed by such. `least`:
-/// folds that are shorter than it returns, in object units, and touch no edge that is marked sharp are left out as
-/// noise, and so are folds of one edge, but no grooves of three edges of a rounded surface; empty: none is. It is
-/// called where there are such folds, at most once.
+/// than twice as much as the surface does on average beside them: noses, lips and lids are formed by such.
+/// `is_short`: folds of a length, in object units, that is short by it, and that touch no edge that is marked sharp are
+/// left out as noise, and so are folds of one edge, but no grooves of three edges of a rounded surface; empty: none is.
 Array<std::uint8_t> find_folds(const field::FacetEdges& edges, Shape shape, double angle,
-                               const std::function<double()>& least);
+                               const std::function<bool(double)>& is_short);
 
 }  // namespace fovea::line
