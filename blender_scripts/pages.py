@@ -12,8 +12,8 @@ from pathlib import Path
 
 import bpy
 import numpy as np
-from bl_ext.user_default.fovea import comparison_report, native, style
-from bl_ext.user_default.fovea.render import vectors
+from bl_ext.user_default.fovea import comparison_report, gaze, native, style
+from bl_ext.user_default.fovea.render import gaze_check, vectors
 from bl_ext.user_default.fovea.style import style_data
 
 sys.path.insert(0, str(Path(__file__).parent))
@@ -234,6 +234,13 @@ def overlay(name, path):
     return comparison_report.overlay(a, b, a.usual_tolerance) / 255
 
 
+def heat(name, path):
+    """(H, W, 3) heat map of where the eye goes in a drawing of the office, at twice the size."""
+    open_model("office")
+    set_up(pages.GAZE[name], pages.GAZE_SIZE, path)
+    return gaze.heat(gaze_check.check(bpy.context).gaze) / 255
+
+
 def plot(name, path):
     """(N, N) plot of a transfer function over focus: grid lines at quarters in gray, the curve in black."""
     transfer = style.Transfer(**pages.TRANSFERS[name])
@@ -301,7 +308,7 @@ def animation(name, path):
 DRAWN_BY = {
     "lines": line, "sections": section, "way": stage, "focus": stage, "strokes": stroke, "painted": painted,
     "situations": situation, "over": over_render, "transfers": plot, "grease_pencil": pencil, "animation": animation,
-    "compare": overlay, "vectors": of_file, "farm": frames,
+    "compare": overlay, "gaze": heat, "vectors": of_file, "farm": frames,
 }  # fmt: skip
 
 

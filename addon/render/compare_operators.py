@@ -12,7 +12,7 @@ from .. import comparison, comparison_report, line_arrays, native, pipeline
 from ..scene.operator import TOLD
 from ..scene.problem import CannotDraw
 from . import as_rendered, session
-from .line_operators import OfRender, image_of, open_image, progress
+from .line_operators import OfRender, image_of, linear, open_image, progress
 
 REGISTER = (
     ("NONE", "As It Is", "The drawing is a picture of the same frame"),
@@ -56,7 +56,7 @@ class FOVEA_OT_compare_drawing(OfRender, bpy.types.Operator, ImportHelper):
         by = None if self.register_by == "NONE" else self.register_by.lower()
         compared = comparison.of_drawings([lines[1], drawing], self.tolerance or None, by)
         overlay = comparison_report.overlay(compared.a, compared.judges[0], compared.found["tolerance_px"])
-        image = image_of(f"Compared with {drawing.name}", _pixels(overlay))
+        image = image_of(f"Compared with {drawing.name}", linear(overlay))
         if not bpy.app.background:
             open_image(context, image)
         told = ", ".join(f"{name} {compared.found[key]:.2f}" for key, name in TOLD_OF.items())
@@ -70,10 +70,3 @@ def _lines(found, seen, chosen, backend, options, progress, cancel, near):
     with native.refusals():
         frame.thin()
         return comparison.of_lines("the scene", line_arrays.seen(frame, np.eye(4)), (seen.width, seen.height))
-
-
-def _pixels(overlay):
-    """(H, W, 4) float32, scene-linear, of sRGB bytes."""
-    value = overlay / np.float32(255)
-    linear = np.where(value <= 0.04045, value / 12.92, ((value + 0.055) / 1.055) ** 2.4)
-    return np.concatenate([linear, np.ones((*linear.shape[:2], 1))], axis=2).astype(np.float32)

@@ -76,6 +76,13 @@ def image_of(name, pixels):
     return image
 
 
+def linear(picture):
+    """(H, W, 4) float32, scene-linear and opaque, of (H, W, 3) uint8 as displayed."""
+    value = picture / np.float32(255)
+    colors = np.where(value <= 0.04045, value / 12.92, ((value + 0.055) / 1.055) ** 2.4)
+    return np.concatenate([colors, np.ones((*colors.shape[:2], 1))], axis=2).astype(np.float32)
+
+
 def open_image(context, image):
     """Shows an image in an image editor; where there is none, in one that Blender opens as it does for renders, which
     the preferences say (none at all, maybe)."""

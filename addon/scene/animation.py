@@ -46,6 +46,13 @@ def own_action(tree):
             data.action_slot = data.action.slots[name]
 
 
+def is_keyed(group, name):
+    """Whether a property of a group of properties has an F-curve."""
+    owner, path = group.id_data, group.path_from_id(name)
+    found = curves(owner) if owner.animation_data else ()
+    return any(curve.data_path == path for of_action in found for curve in of_action)
+
+
 def curves(animated):
     """Yields the F-curve collections of an ID with animation data, for legacy and for layered actions."""
     data = animated.animation_data

@@ -12,6 +12,14 @@ class RENDER_PT_fovea_focus(FoveaPanel, bpy.types.Panel):
 
     def show(self, layout, context):
         draw_focus(layout, context.scene.fovea)
+        draw_check(layout)
+
+
+def draw_check(layout):
+    """Draws the operators that tell whether the eye goes to the focus."""
+    column = layout.column(align=True)
+    column.operator("fovea.check_focus", icon="HIDE_OFF")
+    column.operator("fovea.strengthen_focus")
 
 
 def draw_focus(layout, settings):

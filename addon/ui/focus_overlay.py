@@ -12,6 +12,7 @@ import bpy
 import numpy as np
 from bpy.app.handlers import persistent
 
+from .. import heat_map
 from ..focus import focus_kinds
 from ..gpu import overlay as gpu_overlay
 from ..render import caretaker, properties, reading, viewport
@@ -20,8 +21,6 @@ from ..scene.operator import TOLD
 
 SCALE = 0.25  # resolution at rest, as a fraction of the viewport's
 LEAST = SCALE / 4  # lowest resolution while something changes
-# Colors for focus from 0 to 1, in display space.
-STOPS = np.array([(0.95, 0.25, 0.1), (1.0, 0.8, 0.2), (0.3, 0.75, 0.6), (0.15, 0.3, 0.8)], np.float32)
 OPACITY = 0.45
 
 in_regions = {}  # address of a region -> its _Shown
@@ -88,11 +87,8 @@ def affordable(scale, ms, budget_ms):
 
 def colors(values):
     """(H, W, 4) float32 RGBA in display space, straight alpha, from (H, W) focus."""
-    at = np.clip(values, 0, 1) * (len(STOPS) - 1)
-    below = np.minimum(at.astype(np.intp), len(STOPS) - 2)
-    share = (at - below)[..., None]
-    mixed = STOPS[below] * (1 - share) + STOPS[below + 1] * share
-    return np.concatenate([mixed, np.full((*values.shape, 1), OPACITY)], axis=2, dtype=np.float32)
+    opacity = np.full((*values.shape, 1), OPACITY)
+    return np.concatenate([heat_map.colors(values), opacity], axis=2, dtype=np.float32)
 
 
 def _draw():

@@ -7,7 +7,7 @@ from ..focus import focus_kinds
 from ..style import style_data
 from ..style.line_set_operators import edited
 from .common import ENGINE, draw_pen
-from .focus import draw_focus
+from .focus import draw_check, draw_focus
 from .hints import draw_hints
 from .lines import draw_list
 from .style import draw_style
@@ -50,6 +50,7 @@ class VIEW3D_PT_fovea_focus(_SidePanel, bpy.types.Panel):
         shown = layout.column()
         shown.active = focus_kinds.of(context.scene.fovea).is_on
         shown.prop(context.window_manager, "fovea_show_focus")
+        draw_check(layout)
 
 
 class VIEW3D_PT_fovea_lines(_SidePanel, bpy.types.Panel):

@@ -29,6 +29,8 @@ def _in_menu(self, _context):
         self.layout.operator(f"fovea.{name}")
     self.layout.operator_context = "INVOKE_DEFAULT"
     self.layout.operator("fovea.focus_pull", text="Focus Pull...")
+    for name in ("check_focus", "strengthen_focus"):
+        self.layout.operator(f"fovea.{name}")
     self.layout.separator()
     for name in LINES:
         self.layout.operator(name)

@@ -222,11 +222,17 @@ class Pair:
 
 COMPARE = {"overlay": Pair(*BUNNY, (("contour", "suggestive_contour"), ("contour", "apparent_ridge")))}
 
+GAZE_SIZE = "240x135"
+GAZE = {  # heat map -> what of the office it is of
+    name: Stage(("--style", "watercolor", "--focus", "0.2,0.5", "--focus-radii", "0.1,0.6"), {"effects.strength": strength})
+    for name, strength in (("before", 1.0), ("strengthened", 4.0))
+}
+
 # Name -> {picture: its description}; each group is a folder of addon/docs.
 GROUPS = {
     "lines": LINES, "sections": SECTIONS, "way": WAY, "focus": FOCUS, "strokes": STROKES, "painted": PAINTED,
     "situations": SITUATIONS, "over": OVER, "transfers": TRANSFERS, "grease_pencil": GREASE_PENCIL,
-    "animation": ANIMATION | FOLLOWING | PASSING, "compare": COMPARE, "vectors": VECTORS | TITLED, "farm": FARM,
+    "animation": ANIMATION | FOLLOWING | PASSING, "compare": COMPARE, "gaze": GAZE, "vectors": VECTORS | TITLED, "farm": FARM,
 }  # fmt: skip
 
 

@@ -27,5 +27,6 @@ void bind_style(pybind11::module_& m);
 void bind_draw(pybind11::module_& m);
 void bind_vector(pybind11::module_& m);
 void bind_study(pybind11::module_& m);
+void bind_salience(pybind11::module_& m);
 
 }  // namespace fovea::bindings

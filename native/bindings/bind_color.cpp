@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Color sources of a scene, and picture files.
+#include <fovea/color/displayed.h>
 #include <fovea/color/light.h>
 #include <fovea/color/png.h>
 #include <fovea/color/source.h>
@@ -41,6 +42,20 @@ py::bytes png(const py::array_t<std::uint8_t, py::array::c_style>& rgb) {
     return py::bytes(png_bytes({rgb.data(), std::size_t(rgb.size())}, int(rgb.shape(1)), int(rgb.shape(0))));
 }
 
+Numpy<std::uint8_t> pixels_of_png(const py::bytes& file) {
+    const std::string_view bytes(file);
+    RgbImage read = without_gil(
+        [bytes] { return rgb_png({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()}); });
+    return to_numpy(std::move(read.values)).reshape({py::ssize_t(read.height), py::ssize_t(read.width), py::ssize_t(3)});
+}
+
+Numpy<std::uint8_t> displayed(const Pixels& image) {
+    check(image.ndim() == 3 && image.shape(2) == 4, "image: expected shape (height, width, 4)");
+    const In<vec4> pixels(reinterpret_cast<const vec4*>(image.data()), std::size_t(image.size()) / 4);
+    auto bytes = without_gil([pixels] { return displayed_bytes(pixels, false); });
+    return to_numpy(std::move(bytes)).reshape({image.shape(0), image.shape(1), py::ssize_t(3)});
+}
+
 }  // namespace
 
 void bind_color(py::module_& m) {
@@ -74,6 +89,10 @@ void bind_color(py::module_& m) {
           "The pixels of a PNG file, of all of its bytes. ValueError if it is broken.");
     m.def("png_bytes", &png, py::arg("rgb"),
           "The bytes of a PNG file of (height, width, 3) uint8 sRGB, bottom row first.");
+    m.def("pixels_of_png", &pixels_of_png, py::arg("file"),
+          "The same pixels of the bytes of a PNG file of any kind; transparent parts lie on white.");
+    m.def("displayed", &displayed, py::arg("image"),
+          "The same of (height, width, 4) float32, scene-linear and premultiplied, on white.");
 }
 
 }  // namespace fovea::bindings

@@ -7,6 +7,7 @@
 #include <fovea/draw/ahead.h>
 #include <fovea/draw/content.h>
 #include <fovea/draw/cryptomatte.h>
+#include <fovea/draw/object_at.h>
 #include <fovea/draw/polylines.h>
 #include <fovea/visibility/exact.h>
 
@@ -215,6 +216,9 @@ stage.)")
                 return image(pixels, frame.job.view);
             },
             "(H, W) float32 in [0, 1] of what each pixel shows; None: all is in focus.")
+        .def("object_at", &object_at, py::arg("px"), py::arg("radius"),
+             "Name of the object that a disc of the picture shows most of, around a place (x, y) in pixels from the "
+             "lower left; empty: none.")
         .def(
             "strokes_with",
             [](const Frame& frame, const Arg<float>& shown) {

@@ -66,6 +66,8 @@ MODULES = {
     "svg_drawing": "",
     "comparison_report": "files native",
     "explained_lines": "",
+    "gaze": "files heat_map native",
+    "heat_map": "",
     "still_life": "",
     "curve_fit": "native",
     "pipeline": "native stages style",
@@ -77,8 +79,8 @@ FOLDERS = "gpu scene focus style render ui".split()
 
 # `native.load()` gives the native module; other parts get handles from these.
 LOADERS = (
-    r"addon/(gpu/\w+|catalogue|comparison(_report)?|curve_fit|line_arrays|pipeline|scene/api|ui/preferences|"
-    r"style/(__init__|style_picture)|render/(bake_operators|definition_strengths|drawn_lines|gpu_check|line_operators|"
+    r"addon/(gpu/\w+|catalogue|comparison(_report)?|curve_fit|gaze|line_arrays|pipeline|scene/api|ui/preferences|"
+    r"style/(__init__|style_picture)|render/(bake_operators|definition_strengths|drawn_lines|gaze_check|gpu_check|line_operators|"
     r"methods|near_frames|reading|session|vector_settings|vectors|viewport|whole_pictures))\.py"
 )
 

@@ -15,6 +15,7 @@ SCENES = {  # part -> its default scenes
     "coherence": ("suzanne:3", "office"),
     "cost": ("office", "boxes:30", "boxes:100", "boxes:200"),
     "emphasis": ("office",),
+    "salience": ("office",),
 }
 PARTS = tuple(SCENES)
 QUICK_FRAMES, FRAMES = 10, 40

@@ -17,7 +17,7 @@ import scenes
 from bl_ext.user_default.fovea import native, style
 from bl_ext.user_default.fovea.render import gpu_context
 
-from bench.focus import PER_ATLAS_SAMPLE, PER_SAMPLE, coherence, density, emphasis, world
+from bench.focus import PER_ATLAS_SAMPLE, PER_SAMPLE, coherence, density, emphasis, salience, world
 from bench.visibility.worker import middle, orbit
 
 STEP = math.radians(0.25)
@@ -63,6 +63,10 @@ def emphasis_rows(asked):
     return world.measure(lambda place: emphasis.rows(asked["scene"], place, asked["places"]), asked["size"])
 
 
+def salience_rows(asked):
+    return world.measure(partial(salience.rows, asked["scene"]), salience.frame_size(*asked["size"]))
+
+
 def cost_rows(asked):
     render = bpy.context.scene.render
     render.engine = "BLENDER_WORKBENCH"
@@ -106,7 +110,8 @@ def median_ms(work):
     return float(np.median(times[1:]))
 
 
-PARTS = {"density": density_rows, "coherence": coherence_rows, "cost": cost_rows, "emphasis": emphasis_rows}
+PARTS = {"density": density_rows, "coherence": coherence_rows, "cost": cost_rows, "emphasis": emphasis_rows,
+         "salience": salience_rows}
 
 if __name__ == "__main__":
     main(json.loads(sys.argv[sys.argv.index("--") + 1]))

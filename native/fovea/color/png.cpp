@@ -7,6 +7,29 @@
 #include <fovea/base/files.h>
 
 namespace fovea::color {
+namespace {
+
+/// A PNG on white, in a format of libpng with a byte for each value.
+template <typename Image>
+Image decoded(In<std::uint8_t> file, png_uint_32 format) {
+    png_image image{};
+    image.version = PNG_IMAGE_VERSION;
+    bool done = png_image_begin_read_from_memory(&image, file.data(), file.size());
+    check(done, std::string("PNG: ") + image.message);
+    // No more than deflate can make of so many bytes, whatever the header says.
+    const bool fits = std::size_t(image.width) * image.height / 8 / 1100 <= file.size();
+    if (!fits) png_image_free(&image);
+    check(fits, "PNG: the file is none, or broken");
+    image.format = format;
+    Image made{int(image.width), int(image.height), Array<std::uint8_t>(PNG_IMAGE_SIZE(image))};
+    const png_color white{255, 255, 255};
+    const auto upwards = -static_cast<png_int_32>(PNG_IMAGE_ROW_STRIDE(image));
+    done = png_image_finish_read(&image, &white, made.values.data(), upwards, nullptr);
+    check(done, std::string("PNG: ") + image.message);
+    return made;
+}
+
+}  // namespace
 
 PenTexture read_texture(const std::filesystem::path& file) {
     png_image image{};
@@ -26,22 +49,9 @@ PenTexture read_texture(const std::filesystem::path& file) {
     return texture;
 }
 
-GrayImage gray_png(In<std::uint8_t> file) {
-    png_image image{};
-    image.version = PNG_IMAGE_VERSION;
-    bool done = png_image_begin_read_from_memory(&image, file.data(), file.size());
-    check(done, std::string("PNG: ") + image.message);
-    // No more than deflate can make of so many bytes, whatever the header says.
-    const bool fits = std::size_t(image.width) * image.height / 8 / 1100 <= file.size();
-    if (!fits) png_image_free(&image);
-    check(fits, "PNG: the file is none, or broken");
-    image.format = PNG_FORMAT_GRAY;
-    GrayImage gray{int(image.width), int(image.height), Array<std::uint8_t>(PNG_IMAGE_SIZE(image))};
-    const png_color white{255, 255, 255};
-    done = png_image_finish_read(&image, &white, gray.values.data(), -png_int_32(image.width), nullptr);
-    check(done, std::string("PNG: ") + image.message);
-    return gray;
-}
+GrayImage gray_png(In<std::uint8_t> file) { return decoded<GrayImage>(file, PNG_FORMAT_GRAY); }
+
+RgbImage rgb_png(In<std::uint8_t> file) { return decoded<RgbImage>(file, PNG_FORMAT_RGB); }
 
 std::string png_bytes(In<std::uint8_t> values, int width, int height, int channels) {
     check(width > 0 && height > 0, "a picture needs pixels");

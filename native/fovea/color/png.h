@@ -22,8 +22,15 @@ struct GrayImage {
     Array<std::uint8_t> values;
 };
 
-/// Reads all of a file's bytes. Throws std::invalid_argument if they cannot be read.
+/// The same in colors: red, green and blue of each pixel.
+struct RgbImage {
+    int width = 0, height = 0;
+    Array<std::uint8_t> values;
+};
+
+/// Reads all of a file's bytes. Throw std::invalid_argument if they cannot be read.
 GrayImage gray_png(In<std::uint8_t> file);
+RgbImage rgb_png(In<std::uint8_t> file);
 
 /// The bytes of a PNG file of width x height pixels, sRGB, bottom row first (as in textures). Each has one value
 /// (gray), three, or four with alpha, by which colors are not multiplied. Throws std::invalid_argument if the number of

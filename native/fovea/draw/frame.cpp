@@ -193,14 +193,15 @@ void Frame::ink() {
 
 Emphasis Frame::emphasis(In<float> opacity) const {
     const style::Effects& effects = job.style.effects;
+    const auto by_focus = [&](const style::Transfer& effect) { return transfer_of(effect, effects.strength); };
     return {.focus = focus,
             .distance = distance,
             .shown = opacity,
             .seen = seen,
-            .color = transfer_of(effects.color),
-            .texture = transfer_of(effects.texture),
-            .width = transfer_of(effects.width),
-            .opacity = transfer_of(effects.opacity),
+            .color = by_focus(effects.color),
+            .texture = by_focus(effects.texture),
+            .width = by_focus(effects.width),
+            .opacity = by_focus(effects.opacity),
             .distance_width = transfer_of(job.style.distance.width),
             .distance_opacity = transfer_of(job.style.distance.opacity)};
 }
@@ -243,7 +244,7 @@ Runs Frame::with_ends(const Runs& runs) const {
     const style::Transfer& answer = job.style.effects.overshoot;
     if (focus.empty() || answer.strength == 0.0) return overshoot(*clipped, joined, reach(near));
     Array<float> mix(focus.size());
-    std::ranges::transform(focus, mix.begin(), transfer_of(answer));
+    std::ranges::transform(focus, mix.begin(), transfer_of(answer, job.style.effects.strength));
     return overshoot(*clipped, joined, reach(near), reach(away), mix);
 }
 

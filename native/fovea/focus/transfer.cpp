@@ -20,8 +20,8 @@ void check_curve(In<vec2> curve) {
 
 }  // namespace
 
-Transfer::Transfer(float start, float end, float strength, In<vec2> curve)
-    : start_(start), end_(end), strength_(strength) {
+Transfer::Transfer(float start, float end, float strength, In<vec2> curve, float factor)
+    : start_(start), end_(end), strength_(strength * factor) {
     check(std::isfinite(start) && std::isfinite(end), "transfer: start and end must be finite");
     check(strength >= 0.0f && strength <= 1.0f, "transfer: the strength must lie between 0 and 1");
     check_curve(curve);
@@ -31,9 +31,9 @@ Transfer::Transfer(float start, float end, float strength, In<vec2> curve)
     for (float& y : response_) y = response(y);
 }
 
-Transfer transfer_of(const style::Transfer& transfer) {
+Transfer transfer_of(const style::Transfer& transfer, double factor) {
     const std::vector<vec2> curve(transfer.curve.begin(), transfer.curve.end());
-    return Transfer(float(transfer.start), float(transfer.end), float(transfer.strength), curve);
+    return Transfer(float(transfer.start), float(transfer.end), float(transfer.strength), curve, float(factor));
 }
 
 }  // namespace fovea::focus

@@ -2,6 +2,7 @@
 // Transfer functions: strength of an effect as a function of focus.
 #pragma once
 
+#include <algorithm>
 #include <array>
 
 #include <fovea/base/types.h>
@@ -18,14 +19,15 @@ class Transfer {
     Transfer() : Transfer(0.0f, 1.0f, 1.0f, {}) {}
 
     /// `curve`: points (x, y) of the response, x ascending, all in [0,1], interpolated as in monotone_cubic.h;
-    /// empty: linear. Throws std::invalid_argument for other points, and for non-finite numbers.
-    Transfer(float start, float end, float strength, In<vec2> curve);
+    /// empty: linear. Throws std::invalid_argument for other points, and for non-finite numbers. `factor`: by which
+    /// mixes are multiplied, up to 1.
+    Transfer(float start, float end, float strength, In<vec2> curve, float factor = 1.0f);
 
     /// NaN counts as 0.
     float operator()(float value) const {
         const float x = position(value) * steps;
         const int k = x < steps ? int(x) : steps - 1;
-        return strength_ * (response_[k] + (response_[k + 1] - response_[k]) * (x - float(k)));
+        return std::min(1.0f, strength_ * (response_[k] + (response_[k + 1] - response_[k]) * (x - float(k))));
     }
 
    private:
@@ -43,8 +45,8 @@ class Transfer {
     std::array<float, steps + 1> response_;
 };
 
-/// Builds the transfer function from its settings.
-Transfer transfer_of(const style::Transfer& transfer);
+/// Builds the transfer function from its settings. `factor`: by which mixes are multiplied, up to 1.
+Transfer transfer_of(const style::Transfer& transfer, double factor = 1.0);
 
 /// Combines the mixes in [0,1] of two causes of one effect (of several: as vectors); never less than either.
 template <typename Mix>

@@ -1,0 +1,120 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Checks by salience whether eyes go to the focus of a scene, as a final render of it would have it, and finds how
+strong its effects have to be for that. Pictures are drawn as large as the models of salience look at them, and without
+frames around them, which Temporal Smoothing would need."""
+
+from dataclasses import dataclass
+from functools import partial
+
+import numpy as np
+
+from .. import gaze, native, style
+from ..scene.problem import CannotDraw
+from . import as_rendered, properties, session
+
+
+@dataclass(frozen=True)
+class Checked:
+    """Where eyes go in a drawing of a scene."""
+
+    gaze: gaze.Gaze
+    names: tuple  # of the objects at its places; "": none
+    judged: gaze.Judged | None  # None: there is no place to look at
+
+    @property
+    def sentence(self):
+        return gaze.sentence(self.gaze, self.names, self.judged)
+
+    @property
+    def told(self):
+        return gaze.told(self.gaze, self.names, self.judged)
+
+
+def check(context, tell=None):
+    """The Checked of the context's scene; `tell` as for `session.final`. CannotDraw if the user canceled it."""
+    return _looked(context, lambda drawing: drawing.checked(), tell)
+
+
+def strengthen(context, tell=None):
+    """(strength, Checked) of the least strength of the effects, from the scene's own on, at which the focus wins.
+    CannotDraw, with what the eye goes to, if it does not at any."""
+
+    def search(drawing):
+        now = drawing.chosen.effects.strength
+        before = drawing.checked()
+        if before.judged is None or before.judged.wins:
+            return now, before
+        found = gaze.strengthened(drawing.checked, now, most_strength())
+        if found is None:
+            raise CannotDraw(
+                f"{drawing.checked(most_strength()).sentence}, even with the strongest effects: move the focus there, "
+                "or let more effects answer to it"
+            )
+        return found
+
+    return _looked(context, search, tell)
+
+
+def most_strength():
+    return style.field(style.Effects, "strength")["max"]
+
+
+def evenly(chosen):
+    """A Style with focus the same all over."""
+    return chosen.replace(effects=chosen.effects.replace(lines="uniform", colors="uniform"))
+
+
+def look(image, frame):
+    """(Gaze, names of the objects at its places) of an Image and the Frame that it was drawn by."""
+    seen = gaze.look(native.load().displayed(image.combined))
+    return seen, tuple(frame.object_at(tuple(place), seen.radius) for place in seen.places)
+
+
+class _Drawing:
+    """A Read scene in a View, to be drawn with effects of varying strength; arguments as for `session.draw`."""
+
+    def __init__(self, found, seen, chosen, backend, options, progress, cancel, _near):
+        self.chosen = chosen
+        beside = {"backend": backend, "options": options, "progress": progress, "cancel": cancel}
+        self._draw = partial(session.draw, found, seen, **beside)
+        self._evenly = None
+
+    def checked(self, strength=None):
+        """The Checked of the drawing; None: of the style's own strength."""
+        effects = self.chosen.effects if strength is None else self.chosen.effects.replace(strength=strength)
+        image, (seen, names) = self._looked(self.chosen.replace(effects=effects))
+        if image.focus is None:
+            return Checked(seen, names, None)
+        if self._evenly is None:
+            _, (self._evenly, _) = self._looked(evenly(self.chosen))
+        return Checked(seen, names, gaze.judge(seen, self._evenly, image.focus))
+
+    def _looked(self, chosen):
+        frames = []
+        image = self._draw(chosen=chosen, also=frames.append)
+        return image, look(image, frames[0])
+
+
+def _looked(context, work, tell):
+    """work(_Drawing) of a final render of the context's view layer."""
+    own = properties.style_of(context.scene)
+    chosen = own.replace(
+        elision=own.elision.replace(frames=0), animation=own.animation.replace(visibility_frames=0)
+    )
+
+    def make(*arguments):
+        return work(_Drawing(*arguments))
+
+    made = as_rendered.look(context, partial(session.final, make=make, chosen=chosen, tell=tell), _as_looked_at)
+    if made is None:
+        raise CannotDraw("Stopped before the lines were drawn")
+    return made[1]
+
+
+def _as_looked_at(scene):
+    """Sets a copy of a scene to the whole frame, as large as it is looked at, but not larger than it is."""
+    render = scene.render
+    own = np.array((render.resolution_x, render.resolution_y)) * render.resolution_percentage / 100
+    size = own * min(1.0, native.load().Salience.usual_diagonal / np.hypot(*own))
+    render.resolution_x, render.resolution_y = (max(4, round(float(side))) for side in size)
+    render.resolution_percentage, render.use_border = 100, False

@@ -1,0 +1,69 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Operators of the panel Focus: whether the eye goes to the focus, and effects that are as strong as that takes."""
+
+import bpy
+
+from .. import gaze
+from ..focus import focus_kinds, focus_places
+from ..scene import animation
+from ..style import style_data
+from . import gaze_check
+from .line_operators import OfRender, image_of, linear, open_image, progress
+
+NAME = "Gaze"
+
+
+class _OfFocus(OfRender):
+    """One that draws the scene to see where the eye goes, and shows that in a new image."""
+
+    @classmethod
+    def hindrance(cls, context):
+        if reason := super().hindrance(context):
+            return reason
+        on = focus_kinds.of(context.scene.fovea).is_on
+        return None if on else "There is no focus yet: pick one first"
+
+    def show(self, context, checked):
+        image = image_of(NAME, linear(gaze.heat(checked.gaze)))
+        if not bpy.app.background:
+            open_image(context, image)
+
+
+class FOVEA_OT_check_focus(_OfFocus, bpy.types.Operator):
+    """Draw the frame small, predict where the eye goes first by what stands out (which knows neither faces nor words),
+    and show that as a heat map in a new image"""
+
+    bl_idname, bl_label = "fovea.check_focus", "Check Focus"
+
+    def act(self, context):
+        with progress(context) as tell:
+            checked = gaze_check.check(context, tell)
+        self.show(context, checked)
+        wins = checked.judged is not None and checked.judged.wins
+        self.report({"INFO"} if wins else {"WARNING"}, checked.sentence)
+
+
+class FOVEA_OT_strengthen_focus(_OfFocus, bpy.types.Operator):
+    """Raise the strength of the effects that answer to focus, as little as it takes for the eye to go there first"""
+
+    bl_idname, bl_label = "fovea.strengthen_focus", "Strengthen Focus"
+
+    @classmethod
+    def hindrance(cls, context):
+        if reason := super().hindrance(context):
+            return reason
+        tree = style_data.of(context.scene)
+        return "The style is linked from another file: duplicate it to edit it" if tree and tree.library else None
+
+    def act(self, context):
+        with progress(context) as tell:
+            strength, checked = gaze_check.strengthen(context, tell)
+        self.show(context, checked)
+        effects = style_data.own(context.scene).effects
+        if strength > effects.strength:
+            effects.strength = strength
+            if animation.is_keyed(effects, "strength"):
+                effects.keyframe_insert("strength")
+            else:
+                focus_places.key(context.scene, effects, "strength")
+        self.report({"INFO"}, f"Strength {effects.strength:.2f}. {checked.sentence}")

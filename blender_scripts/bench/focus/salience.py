@@ -1,0 +1,84 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Measures by salience whether the eye goes to the focus: in styles and places, as they are and strengthened, and by
+color and lines alone (the viewing conditions of Cole 2009, 5.3.3)."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from bl_ext.user_default.fovea import gaze, native, style
+from bl_ext.user_default.fovea.render import gaze_check
+
+from command import variants
+
+from . import emphasis
+from .world import named_style
+
+PLACES = (0.2, 0.5), (0.8, 0.5)  # as fractions of the frame, from the left and the top
+COLORFUL = "watercolor"
+CONDITIONS = {"color and lines": {}, "color": {"lines": "uniform"}, "lines": {"colors": "uniform"}}
+
+
+def frame_size(width, height):
+    """A frame of the same shape, as large as the models of salience look at it."""
+    scale = native.load().Salience.usual_diagonal / np.hypot(width, height)
+    return round(width * scale), round(height * scale)
+
+
+@dataclass(frozen=True)
+class Result:
+    judged: gaze.Judged
+
+
+class Stage:
+    """A World in a style, with focus at a place of the image."""
+
+    def __init__(self, world, name, at):
+        point = style.FocusPlace(at=(*at, 0.0), near=emphasis.NEAR, far=emphasis.FAR)
+        self.world = world
+        self.base = named_style(name).replace(focus=style.Focus(model="image", points=(point,)))
+        self.evenly = self._looked(gaze_check.evenly(self.base))[0]
+
+    def _looked(self, chosen):
+        drawn = self.world.draw(chosen)
+        return gaze_check.look(drawn.image, drawn.frame)[0], drawn.frame.focus_of_pixels()
+
+    def at(self, **effects):
+        """The Result with other effects."""
+        return Result(gaze.judge(*self._judging(self.base.replace(effects=self.base.effects.replace(**effects)))))
+
+    def _judging(self, chosen):
+        seen, focus = self._looked(chosen)
+        return seen, self.evenly, focus
+
+    def strengthened(self):
+        """(strength, Result) at which the focus wins; None: it does not."""
+        return gaze.strengthened(lambda strength: self.at(strength=strength), 1.0, gaze_check.most_strength())
+
+
+def rows(scene, world):
+    found, before, after, wins = [], [], [], 0
+    for name in variants.STYLES:
+        for at in PLACES:
+            stage = Stage(world, name, at)
+            drawn = stage.at()
+            strength, strong = (1.0, drawn) if drawn.judged.wins else stage.strengthened() or (None, drawn)
+            before.append(drawn.judged.gain)
+            after.append(strong.judged.gain)
+            wins += strong.judged.wins
+            what = f"{name}, focus at {at[0]:g},{at[1]:g}"
+            found += [
+                (f"{what}: gain", drawn.judged.gain, "> 1"),
+                (f"{what}: gain, strengthened", strong.judged.gain, "> 1"),
+                (f"{what}: strength", strength or 0.0, None),
+            ]
+    count = len(before)
+    found += [
+        (f"of {count}, the focus gains", sum(gain > 1 for gain in before), ">= 14"),
+        (f"of {count}, the focus gains, strengthened", sum(gain > 1 for gain in after), f">= {count}"),
+        (f"of {count}, the focus wins, strengthened", wins, None),
+    ]
+    stages = [Stage(world, COLORFUL, at) for at in PLACES]
+    for words, effects in CONDITIONS.items():
+        gain = float(np.mean([stage.at(**effects).judged.gain for stage in stages]))
+        found.append((f"{COLORFUL}, emphasis of {words}: mean gain", gain, "less than the one before"))
+    return [{"figure": figure, "scene": scene, "value": value, "wanted": wanted} for figure, value, wanted in found]

@@ -1,0 +1,44 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Runs inside Blender for `fovea gaze SCENE`: JSON (out, heat, strengthen, draw). Draws a scene and tells where the eye
+goes in it."""
+
+import json
+import sys
+from pathlib import Path
+
+import bpy
+from bl_ext.user_default.fovea import gaze
+from bl_ext.user_default.fovea.render import gaze_check
+
+sys.path.insert(0, str(Path(__file__).parent))
+
+import draw
+import drawing_settings
+import ending
+import scene_source
+from command import draw_options
+
+
+def main(words):
+    asked = json.loads(words[0])
+    options = draw_options.parse(asked["draw"])
+    scene_source.open_scene(options.scene)
+    scene = bpy.context.scene
+    draw.set_size(scene, options)
+    draw.set_camera(scene, options)
+    drawing_settings.set_drawing(scene, options)
+    strength = None
+    if asked["strengthen"]:
+        strength, checked = gaze_check.strengthen(bpy.context)
+    else:
+        checked = gaze_check.check(bpy.context)
+    if asked["heat"]:
+        gaze.write(checked.gaze, Path(asked["heat"]))
+    told, sentence = checked.told, checked.sentence
+    if strength is not None:
+        told, sentence = told | {"strength": strength}, f"Strength {strength:.2f}. {sentence}"
+    Path(asked["out"]).write_text(json.dumps({"told": told, "sentence": sentence}), encoding="utf-8")
+
+
+if __name__ == "__main__":
+    ending.run(main)

@@ -1,0 +1,99 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Check Focus and Strengthen Focus on a row of boxes, one of them in focus."""
+
+import bpy
+import numpy as np
+import pytest
+from the_addon import add_camera, box_mesh, empty_scene, new_object, part, use_style
+
+gaze_check, style_data = part("render.gaze_check"), part("style.style_data")
+BOXES = "Left", "Middle", "Right"
+
+
+@pytest.fixture
+def scene():
+    """Three boxes in a row, the right one in focus, in a style whose lines fade out of focus, but weakly."""
+    scene = empty_scene()
+    for name, x in zip(BOXES, (-5, 0, 5), strict=True):
+        new_object(box_mesh(), name, (x, 0, 0))
+    add_camera((0, -18, 3), (0, 0, 0))
+    scene.render.engine, scene.render.resolution_x, scene.render.resolution_y = "FOVEA", 480, 270
+    scene.fovea.backend = "CPU"
+    held = use_style(scene, "pen_and_ink")
+    for line_set in held.line_sets:
+        line_set.away, line_set.pen_away.opacity = True, 0.0
+    scene.fovea.focus_model, scene.fovea.focus_object = "OBJECT", bpy.data.objects["Right"]
+    scene.fovea.focus_near_distance, scene.fovea.focus_far_distance = 0.5, 12.0
+    bpy.context.view_layer.update()
+    return scene
+
+
+def set_strength(scene, strength):
+    style_data.own(scene).effects.strength = strength
+
+
+def test_the_eye_goes_to_the_box_that_alone_is_whole(scene):
+    set_strength(scene, 10.0)
+    checked = gaze_check.check(bpy.context)
+    assert checked.names[0] == "Right" and checked.judged.wins
+    assert "'Right' first, in focus" in checked.sentence
+    assert scene.render.resolution_x == 480, "the scene itself is as it was"
+
+
+def test_without_effects_focus_draws_nothing_to_itself(scene):
+    set_strength(scene, 0.0)
+    checked = gaze_check.check(bpy.context)
+    even = style_data.own(scene).effects
+    even.uniform = 0.0
+    assert not checked.judged.wins and gaze_check.check(bpy.context).judged.gain == pytest.approx(1.0, abs=1e-6)
+
+
+def test_check_focus_shows_a_heat_map_and_changes_nothing(scene):
+    before = style_data.fingerprint(style_data.of(scene))
+    assert bpy.ops.fovea.check_focus() == {"FINISHED"}
+    image = bpy.data.images["Gaze"]
+    assert tuple(image.size) == (480, 270) and image.packed_file
+    pixels = np.array(image.pixels[:]).reshape(270, 480, 4)
+    assert np.ptp(pixels[..., :3], axis=2).max() > 0.2, "there are colors"
+    assert style_data.fingerprint(style_data.of(scene)) == before
+
+
+def test_strengthen_focus_sets_the_strength_at_which_the_focus_wins(scene):
+    effects = style_data.own(scene).effects
+    effects.strength = 0.1
+    assert not gaze_check.check(bpy.context).judged.wins
+    assert bpy.ops.fovea.strengthen_focus() == {"FINISHED"}
+    assert 0.1 < effects.strength <= 10.0
+    assert gaze_check.check(bpy.context).judged.wins
+    strength = effects.strength
+    assert bpy.ops.fovea.strengthen_focus() == {"FINISHED"}
+    assert effects.strength == strength, "it is strong enough already"
+
+
+def test_a_strength_that_is_keyed_is_keyed_at_this_frame(scene):
+    effects = style_data.own(scene).effects
+    effects.strength = 0.1
+    effects.keyframe_insert("strength", frame=1)
+    scene.frame_set(10)
+    assert bpy.ops.fovea.strengthen_focus() == {"FINISHED"}
+    strong = effects.strength
+    scene.frame_set(1)
+    assert effects.strength == pytest.approx(0.1)
+    scene.frame_set(10)
+    assert effects.strength == pytest.approx(strong) and strong > 0.1
+
+
+def test_where_nothing_answers_to_focus_it_says_what_the_eye_goes_to(scene):
+    for line_set in style_data.own(scene).line_sets:
+        line_set.away = False
+    with pytest.raises(RuntimeError, match="The eye goes .* first.*even with the strongest effects"):
+        bpy.ops.fovea.strengthen_focus()
+    assert style_data.own(scene).effects.strength == 1.0
+
+
+def test_without_a_focus_both_say_so(scene):
+    scene.fovea.focus_model = "NONE"
+    for operator in (bpy.ops.fovea.check_focus, bpy.ops.fovea.strengthen_focus):
+        with pytest.raises(RuntimeError, match="no focus yet"):
+            operator()
+    assert gaze_check.check(bpy.context).judged is None
