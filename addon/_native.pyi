@@ -354,6 +354,8 @@ class style:
         @property
         def colors(self) -> str: ...
         @property
+        def emphasis(self) -> float: ...
+        @property
         def uniform(self) -> float: ...
         @property
         def blur_radius(self) -> float: ...
@@ -1341,6 +1343,12 @@ def stored_png(file: bytes) -> StoredPng:
 def png_bytes(rgb: Annotated[ArrayLike, numpy.uint8]) -> bytes:
     """The bytes of a PNG file of (height, width, 3) uint8 sRGB, bottom row first."""
 
+def pixels_of_png(file: bytes) -> NDArray[numpy.uint8]:
+    """The same pixels of the bytes of a PNG file of any kind; transparent parts lie on white."""
+
+def displayed(image: Annotated[ArrayLike, numpy.float32]) -> NDArray[numpy.uint8]:
+    """The same of (height, width, 4) float32, scene-linear and premultiplied, on white."""
+
 class Frame:
     """One picture on its way: each step takes those before it; see native/fovea/draw/frame.h."""
     def __init__(
@@ -1377,6 +1385,9 @@ class Frame:
         """Takes over the FoundLines of a Frame of the same content (content_of), style, options and backend."""
     def focus_of_pixels(self) -> NDArray[numpy.float32] | None:
         """(H, W) float32 in [0, 1] of what each pixel shows; None: all is in focus."""
+    def object_at(self, px: Annotated[Sequence[float], 'FixedSize(2)'], radius: float) -> str:
+        """Name of the object that a disc of the picture shows most of, around a place (x, y) in pixels from the lower
+        left; empty: none."""
     def strokes_with(self, shown: Annotated[ArrayLike, numpy.float32]) -> Strokes:
         """Strokes of which elision leaves (samples,) so much."""
     def seen_beside(self, offset_px: float) -> NDArray[numpy.uint8]:
@@ -1836,5 +1847,25 @@ class Strengths:
     def curve(self, always: Bitmap, judge: Bitmap, tolerance: float) -> PrecisionRecall:
         """The PrecisionRecall of these lines, with the Bitmap of lines that are drawn in any case, judged by another
         one."""
+
+class Salience:
+    """How far places of a picture stand out of the rest."""
+    usual_diagonal: ClassVar[float]
+    @staticmethod
+    def itti_koch(pixels: Annotated[ArrayLike, numpy.uint8]) -> Salience:
+        """By the model of Itti, Koch and Niebur; pixels: (H, W, 3) uint8 as displayed, bottom row first."""
+    @staticmethod
+    def spectral_residual(pixels: Annotated[ArrayLike, numpy.uint8]) -> Salience:
+        """By that of Hou and Zhang."""
+    @property
+    def map(self) -> numpy.ndarray:
+        """(h, w) float32 of cells, bottom row first; all 0: nothing stands out"""
+    def of_pixels(self, width: int, height: int) -> NDArray[numpy.float32]:
+        """(H, W) float32 of a picture's pixels, as shares of the most."""
+    def fixations(self, most: int) -> NDArray[numpy.float64]:
+        """(n, 3) float64, at most `most`, in the order in which eyes go there: the place, 0 to 1 from the left and the
+        bottom, and its salience as a share of the first one's."""
+    def share(self, weights: Annotated[ArrayLike, numpy.float32]) -> float:
+        """Share of all salience that lies where weights (H, W), 0 to 1, say."""
 
 notes: dict

@@ -13,7 +13,7 @@ from . import files, heat_map, native
 MOST = 5  # places that eyes go to, of which is told
 SHARP = 1 / 31  # radius of what eyes see sharply: 1 degree of the 31 of the diagonal of the thesis's screen
 WANTED_GAIN = 1.3  # of the salience in focus, by its effects
-LEAST_STRENGTH, HALVINGS = 0.1, 5  # of the search for a strength
+HALVINGS = 5  # of the search for an emphasis
 VEIL = 0.7  # opacity of heat maps where they are warmest
 RINGS = 3, 1.5  # pixels: width of those around the first place, and around the others
 
@@ -33,6 +33,16 @@ class Gaze:
         """Pixels that eyes see sharply around a place."""
         return SHARP * np.hypot(*self.picture.shape[:2])
 
+    def sharp(self, number):
+        """(H, W) bool: what eyes see sharply at a place."""
+        return self.away(number) <= self.radius
+
+    def away(self, number):
+        """(H, W) distances of the pixels from a place."""
+        rows, columns = np.ogrid[: self.picture.shape[0], : self.picture.shape[1]]
+        x, y = self.places[number]
+        return np.hypot(columns + 0.5 - x, rows + 0.5 - y)
+
 
 @dataclass(frozen=True)
 class Judged:
@@ -41,7 +51,7 @@ class Judged:
     share: float  # of all salience, in focus: emphasis under a gaze that is spread like salience
     share_evenly: float  # the same of the other picture
     ratio: float  # mean salience in focus over that out of it
-    first_in_focus: bool  # where the eye goes first is no place that is wholly out of focus
+    first_in_focus: bool  # something that eyes see sharply there first is not wholly out of focus
 
     @property
     def gain(self):
@@ -69,24 +79,18 @@ def judge(gaze, evenly, focus):
     emphasis = 1 - np.asarray(focus, np.float32)
     share, area = gaze.salience.share(emphasis), float(emphasis.mean())
     inside, outside = share / max(area, 1e-9), (1 - share) / max(1 - area, 1e-9)
-    first = bool(len(gaze.places)) and bool(emphasis[_pixel(gaze.places[0], focus)] > 0)
+    first = bool(len(gaze.places)) and bool(emphasis[gaze.sharp(0)].any())
     return Judged(share, evenly.salience.share(emphasis), inside / max(outside, 1e-9), first)
 
 
-def _pixel(place, pixels):
-    return tuple(min(int(at), size - 1) for at, size in zip(place[::-1], pixels.shape))
-
-
 def strengthened(drawn, now, most):
-    """(strength, result) of the least strength between `now` and `most` at which the focus wins, of those tried; None
-    if it does not at the most. `drawn(strength)`: a result with `judged`, a Judged. More strength is taken to be never
+    """(emphasis, result) of the least emphasis between `now` and `most` at which the focus wins, of those tried, or of
+    the most, if it does not win at that. `drawn(emphasis)`: a result with `judged`, a Judged. More is taken to be never
     worse."""
-    low, high, best = max(now, LEAST_STRENGTH), most, drawn(most)
-    if not best.judged.wins:
-        return None
+    low, high, best = now, most, drawn(most)
     for _ in range(HALVINGS):
         middle = round(float(np.sqrt(low * high)), 2)
-        if not low < middle < high:
+        if not (best.judged.wins and low < middle < high):
             break
         found = drawn(middle)
         if found.judged.wins:
@@ -141,8 +145,6 @@ def heat(gaze):
     gray = (gaze.picture.mean(axis=2, keepdims=True) / 255).astype(np.float32)
     veil = VEIL * np.sqrt(salience)
     shown = gray * (1 - veil) + heat_map.colors(1 - salience[..., 0]) * veil
-    rows, columns = np.mgrid[:height, :width] + 0.5
-    for number, (x, y) in enumerate(gaze.places):
-        away = np.abs(np.hypot(columns - x, rows - y) - gaze.radius)
-        shown[away < RINGS[min(number, 1)] / 2] = 0
+    for number in range(len(gaze.places)):
+        shown[np.abs(gaze.away(number) - gaze.radius) < RINGS[min(number, 1)] / 2] = 0
     return np.rint(255 * shown).astype(np.uint8)

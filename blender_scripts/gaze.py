@@ -27,16 +27,16 @@ def main(words):
     draw.set_size(scene, options)
     draw.set_camera(scene, options)
     drawing_settings.set_drawing(scene, options)
-    strength = None
+    emphasis = None
     if asked["strengthen"]:
-        strength, checked = gaze_check.strengthen(bpy.context)
+        emphasis, checked = gaze_check.strengthen(bpy.context)
     else:
         checked = gaze_check.check(bpy.context)
     if asked["heat"]:
         gaze.write(checked.gaze, Path(asked["heat"]))
     told, sentence = checked.told, checked.sentence
-    if strength is not None:
-        told, sentence = told | {"strength": strength}, f"Strength {strength:.2f}. {sentence}"
+    if emphasis is not None:
+        told, sentence = told | {"emphasis": emphasis}, f"Emphasis {emphasis:.2f}. {sentence}"
     Path(asked["out"]).write_text(json.dumps({"told": told, "sentence": sentence}), encoding="utf-8")
 
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Checks by salience whether eyes go to the focus of a scene, as a final render of it would have it, and finds how
-strong its effects have to be for that. Pictures are drawn as large as the models of salience look at them, and without
+much emphasis that takes. Pictures are drawn as large as the models of salience look at them, and without
 frames around them, which Temporal Smoothing would need."""
 
 from dataclasses import dataclass
@@ -36,32 +36,30 @@ def check(context, tell=None):
 
 
 def strengthen(context, tell=None):
-    """(strength, Checked) of the least strength of the effects, from the scene's own on, at which the focus wins.
+    """(emphasis, Checked) of the least emphasis, from that of the scene's style on, at which the focus wins.
     CannotDraw, with what the eye goes to, if it does not at any."""
 
     def search(drawing):
-        now = drawing.chosen.effects.strength
+        now = drawing.chosen.effects.emphasis
         before = drawing.checked()
         if before.judged is None or before.judged.wins:
             return now, before
-        found = gaze.strengthened(drawing.checked, now, most_strength())
-        if found is None:
-            raise CannotDraw(
-                f"{drawing.checked(most_strength()).sentence}, even with the strongest effects: move the focus there, "
-                "or let more effects answer to it"
-            )
-        return found
+        emphasis, found = gaze.strengthened(drawing.checked, now, most_emphasis())
+        if not found.judged.wins:
+            told = "even with the most emphasis: move the focus there, or let more effects answer to it"
+            raise CannotDraw(f"{found.sentence}, {told}")
+        return emphasis, found
 
     return _looked(context, search, tell)
 
 
-def most_strength():
-    return style.field(style.Effects, "strength")["max"]
+def most_emphasis():
+    return style.field(style.Effects, "emphasis")["max"]
 
 
 def evenly(chosen):
-    """A Style with focus the same all over."""
-    return chosen.replace(effects=chosen.effects.replace(lines="uniform", colors="uniform"))
+    """A Style with focus the same all over, whatever its emphasis."""
+    return chosen.replace(effects=chosen.effects.replace(lines="uniform", colors="uniform", emphasis=1.0))
 
 
 def look(image, frame):
@@ -71,7 +69,7 @@ def look(image, frame):
 
 
 class _Drawing:
-    """A Read scene in a View, to be drawn with effects of varying strength; arguments as for `session.draw`."""
+    """A Read scene in a View, to be drawn with varying emphasis; arguments as for `session.draw`."""
 
     def __init__(self, found, seen, chosen, backend, options, progress, cancel, _near):
         self.chosen = chosen
@@ -79,9 +77,9 @@ class _Drawing:
         self._draw = partial(session.draw, found, seen, **beside)
         self._evenly = None
 
-    def checked(self, strength=None):
-        """The Checked of the drawing; None: of the style's own strength."""
-        effects = self.chosen.effects if strength is None else self.chosen.effects.replace(strength=strength)
+    def checked(self, emphasis=None):
+        """The Checked of the drawing; None: of the style's own emphasis."""
+        effects = self.chosen.effects if emphasis is None else self.chosen.effects.replace(emphasis=emphasis)
         image, (seen, names) = self._looked(self.chosen.replace(effects=effects))
         if image.focus is None:
             return Checked(seen, names, None)

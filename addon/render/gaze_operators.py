@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Operators of the panel Focus: whether the eye goes to the focus, and effects that are as strong as that takes."""
+"""Operators of the panel Focus: whether the eye goes to the focus, and as much emphasis as that takes."""
 
 import bpy
 
@@ -44,7 +44,7 @@ class FOVEA_OT_check_focus(_OfFocus, bpy.types.Operator):
 
 
 class FOVEA_OT_strengthen_focus(_OfFocus, bpy.types.Operator):
-    """Raise the strength of the effects that answer to focus, as little as it takes for the eye to go there first"""
+    """Raise the emphasis of the effects that answer to focus, as little as it takes for the eye to go there first"""
 
     bl_idname, bl_label = "fovea.strengthen_focus", "Strengthen Focus"
 
@@ -57,13 +57,13 @@ class FOVEA_OT_strengthen_focus(_OfFocus, bpy.types.Operator):
 
     def act(self, context):
         with progress(context) as tell:
-            strength, checked = gaze_check.strengthen(context, tell)
+            emphasis, checked = gaze_check.strengthen(context, tell)
         self.show(context, checked)
         effects = style_data.own(context.scene).effects
-        if strength > effects.strength:
-            effects.strength = strength
-            if animation.is_keyed(effects, "strength"):
-                effects.keyframe_insert("strength")
+        if emphasis > effects.emphasis:
+            effects.emphasis = emphasis
+            if animation.is_keyed(effects, "emphasis"):
+                effects.keyframe_insert("emphasis")
             else:
-                focus_places.key(context.scene, effects, "strength")
-        self.report({"INFO"}, f"Strength {effects.strength:.2f}. {checked.sentence}")
+                focus_places.key(context.scene, effects, "emphasis")
+        self.report({"INFO"}, f"Emphasis {effects.emphasis:.2f}. {checked.sentence}")

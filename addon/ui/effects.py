@@ -50,7 +50,7 @@ class RENDER_PT_fovea_effects(StylePanel, bpy.types.Panel):
     def show(self, layout, context):
         tree = style_data.of(context.scene)
         held = tree.fovea
-        draw_properties(layout, held.effects, ("lines", "colors", "strength"))
+        draw_properties(layout, held.effects, ("lines", "colors", "emphasis"))
         draw_properties(layout, held.effects, ("uniform",), "UNIFORM" in (held.effects.lines, held.effects.colors))
         if not any(line_set.away for line_set in held.line_sets):
             layout.label(text="No line set has a pen out of focus", icon="INFO")

@@ -5,11 +5,14 @@ is its focus; in Blender only for scenes."""
 import argparse
 import json
 import os
+import tempfile
 from pathlib import Path
 
 from . import actions, draw_options, output
 from . import package as extension
 from .target import PROJECT
+
+OTHERS = "frames", "cameras", "over", "sheet", "dump", "one_bit"  # words of `fovea draw` that make another picture
 
 
 def gaze(target, words):
@@ -30,16 +33,19 @@ def parse(words):
     """(options, words of `fovea draw`)."""
     parser = argparse.ArgumentParser("fovea gaze", usage=argparse.SUPPRESS)
     parser.add_argument("of", metavar="PICTURE.png|SCENE", help="a PNG file, or what `fovea draw` draws")
-    parser.add_argument("--strengthen", action="store_true", help="make the effects of a scene's focus as strong as "
-                        "it takes for the eye to go there")  # fmt: skip
+    parser.add_argument("--strengthen", action="store_true", help="with as much emphasis of a scene's focus as it "
+                        "takes for the eye to go there")  # fmt: skip
     parser.add_argument("-o", "--output", type=lambda text: Path(text).absolute(), metavar="OUT.png", help="heat map")
     parser.add_argument("--json", action="store_true")
     options, rest = parser.parse_known_args(words)
     if options.output and options.output.suffix.lower() != ".png":
         parser.error(f"-o: a heat map is a .png, not {options.output.name}")
     if not options.of.lower().endswith(".png"):
-        of_draw = [options.of, *rest]
-        draw_options.parse(of_draw)
+        of_draw = [options.of, *rest, "-o", str(options.output or Path(tempfile.gettempdir(), "gaze.png"))]
+        drawn = draw_options.parse(of_draw)
+        for name in OTHERS:
+            if getattr(drawn, name):
+                parser.error(f"--{name.replace('_', '-')} is for fovea draw: the eye goes to one picture of the scene")
         return options, of_draw
     if rest or options.strengthen:
         parser.error(f"{' '.join(rest) or '--strengthen'}: a picture is taken as it is; name a scene to draw one")

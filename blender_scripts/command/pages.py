@@ -224,8 +224,8 @@ COMPARE = {"overlay": Pair(*BUNNY, (("contour", "suggestive_contour"), ("contour
 
 GAZE_SIZE = "240x135"
 GAZE = {  # heat map -> what of the office it is of
-    name: Stage(("--style", "watercolor", "--focus", "0.2,0.5", "--focus-radii", "0.1,0.6"), {"effects.strength": strength})
-    for name, strength in (("before", 1.0), ("strengthened", 4.0))
+    name: Stage(("--style", "xray_focus", "--focus", "0.2,0.5", "--focus-radii", "0.1,0.6"), {"effects.emphasis": emphasis})
+    for name, emphasis in (("before", 1.0), ("strengthened", 4.0))
 }
 
 # Name -> {picture: its description}; each group is a folder of addon/docs.

@@ -1,10 +1,19 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Check Focus and Strengthen Focus on a row of boxes, one of them in focus."""
+"""Check Focus and Strengthen Focus on a row of boxes, one of them in focus; and the gain of effects in the office."""
+
+import sys
+from pathlib import Path
 
 import bpy
 import numpy as np
 import pytest
 from the_addon import add_camera, box_mesh, empty_scene, new_object, part, use_style
+
+sys.path.insert(0, str(Path(__file__).parents[2] / "blender_scripts"))
+
+import scenes
+from bench.focus import salience, world
+from command.target import SHARED
 
 gaze_check, style_data = part("render.gaze_check"), part("style.style_data")
 BOXES = "Left", "Middle", "Right"
@@ -16,7 +25,7 @@ def scene():
     scene = empty_scene()
     for name, x in zip(BOXES, (-5, 0, 5), strict=True):
         new_object(box_mesh(), name, (x, 0, 0))
-    add_camera((0, -18, 3), (0, 0, 0))
+    add_camera((0, -24, 3), (0, 0, 0))
     scene.render.engine, scene.render.resolution_x, scene.render.resolution_y = "FOVEA", 480, 270
     scene.fovea.backend = "CPU"
     held = use_style(scene, "pen_and_ink")
@@ -28,24 +37,23 @@ def scene():
     return scene
 
 
-def set_strength(scene, strength):
-    style_data.own(scene).effects.strength = strength
+def set_emphasis(scene, emphasis):
+    style_data.own(scene).effects.emphasis = emphasis
 
 
 def test_the_eye_goes_to_the_box_that_alone_is_whole(scene):
-    set_strength(scene, 10.0)
+    set_emphasis(scene, 10.0)
     checked = gaze_check.check(bpy.context)
     assert checked.names[0] == "Right" and checked.judged.wins
     assert "'Right' first, in focus" in checked.sentence
     assert scene.render.resolution_x == 480, "the scene itself is as it was"
 
 
-def test_without_effects_focus_draws_nothing_to_itself(scene):
-    set_strength(scene, 0.0)
-    checked = gaze_check.check(bpy.context)
-    even = style_data.own(scene).effects
-    even.uniform = 0.0
-    assert not checked.judged.wins and gaze_check.check(bpy.context).judged.gain == pytest.approx(1.0, abs=1e-6)
+def test_where_focus_changes_nothing_it_draws_nothing_to_itself(scene):
+    effects = style_data.own(scene).effects
+    effects.lines, effects.colors = "UNIFORM", "UNIFORM"
+    judged = gaze_check.check(bpy.context).judged
+    assert judged.gain == pytest.approx(1.0, abs=1e-6) and not judged.wins
 
 
 def test_check_focus_shows_a_heat_map_and_changes_nothing(scene):
@@ -58,37 +66,37 @@ def test_check_focus_shows_a_heat_map_and_changes_nothing(scene):
     assert style_data.fingerprint(style_data.of(scene)) == before
 
 
-def test_strengthen_focus_sets_the_strength_at_which_the_focus_wins(scene):
+def test_strengthen_focus_sets_the_emphasis_at_which_the_focus_wins(scene):
     effects = style_data.own(scene).effects
-    effects.strength = 0.1
+    effects.emphasis = 0.1
     assert not gaze_check.check(bpy.context).judged.wins
     assert bpy.ops.fovea.strengthen_focus() == {"FINISHED"}
-    assert 0.1 < effects.strength <= 10.0
+    assert 0.1 < effects.emphasis <= 10.0
     assert gaze_check.check(bpy.context).judged.wins
-    strength = effects.strength
+    emphasis = effects.emphasis
     assert bpy.ops.fovea.strengthen_focus() == {"FINISHED"}
-    assert effects.strength == strength, "it is strong enough already"
+    assert effects.emphasis == emphasis, "it is enough already"
 
 
-def test_a_strength_that_is_keyed_is_keyed_at_this_frame(scene):
+def test_an_emphasis_that_is_keyed_is_keyed_at_this_frame(scene):
     effects = style_data.own(scene).effects
-    effects.strength = 0.1
-    effects.keyframe_insert("strength", frame=1)
+    effects.emphasis = 0.1
+    effects.keyframe_insert("emphasis", frame=1)
     scene.frame_set(10)
     assert bpy.ops.fovea.strengthen_focus() == {"FINISHED"}
-    strong = effects.strength
+    strong = effects.emphasis
     scene.frame_set(1)
-    assert effects.strength == pytest.approx(0.1)
+    assert effects.emphasis == pytest.approx(0.1)
     scene.frame_set(10)
-    assert effects.strength == pytest.approx(strong) and strong > 0.1
+    assert effects.emphasis == pytest.approx(strong) and strong > 0.1
 
 
 def test_where_nothing_answers_to_focus_it_says_what_the_eye_goes_to(scene):
     for line_set in style_data.own(scene).line_sets:
         line_set.away = False
-    with pytest.raises(RuntimeError, match="The eye goes .* first.*even with the strongest effects"):
+    with pytest.raises(RuntimeError, match="The eye goes .* first.*even with the most emphasis"):
         bpy.ops.fovea.strengthen_focus()
-    assert style_data.own(scene).effects.strength == 1.0
+    assert style_data.own(scene).effects.emphasis == 1.0
 
 
 def test_without_a_focus_both_say_so(scene):
@@ -97,3 +105,15 @@ def test_without_a_focus_both_say_so(scene):
         with pytest.raises(RuntimeError, match="no focus yet"):
             operator()
     assert gaze_check.check(bpy.context).judged is None
+
+
+def test_in_the_office_focus_draws_the_gaze_by_color_more_than_by_lines_and_most_by_both():
+    bpy.ops.wm.read_homefile()
+    scenes.build("office", SHARED if SHARED.is_dir() else None)
+
+    def gains(world):
+        stage = salience.Stage(world, salience.COLORFUL, salience.PLACES[1])
+        return [stage.at(**effects).judged.gain for effects in salience.CONDITIONS.values()]
+
+    both, color, lines = world.measure(gains, salience.frame_size(16, 9))
+    assert both > color > lines > 1

@@ -50,6 +50,16 @@ TEST(Transfer, PassesThroughThePointsOfItsCurveAndNeverBeyondThem) {
     EXPECT_NEAR(there_and_back(1.0f), 0.2f, 1e-6f);
 }
 
+TEST(Transfer, EmphasisMultipliesEffectsUpToTheirWholeAndDividesThoseTurnedRound) {
+    const style::Transfer half{0.0, 1.0, 0.5, {}}, turned{1.0, 0.0, 0.5, {}};
+    for (const float f : {0.0f, 0.1f, 0.4f, 1.0f}) {
+        EXPECT_EQ(transfer_of(half, 1.0)(f), transfer_of(half)(f));
+        EXPECT_FLOAT_EQ(transfer_of(half, 4.0)(f), std::min(1.0f, 2.0f * f));
+        EXPECT_FLOAT_EQ(transfer_of(half, 0.5)(f), 0.25f * f);
+        EXPECT_FLOAT_EQ(transfer_of(turned, 2.0)(f), 0.25f * (1.0f - f));
+    }
+}
+
 TEST(Transfer, TakesWhatIsNoNumberForZero) {
     EXPECT_EQ(Transfer()(std::numeric_limits<float>::quiet_NaN()), 0.0f);
     EXPECT_EQ(Transfer()(std::numeric_limits<float>::infinity()), 1.0f);

@@ -51,8 +51,8 @@ class Stage:
         return seen, self.evenly, focus
 
     def strengthened(self):
-        """(strength, Result) at which the focus wins; None: it does not."""
-        return gaze.strengthened(lambda strength: self.at(strength=strength), 1.0, gaze_check.most_strength())
+        """(emphasis, Result) at which the focus wins, or of the most."""
+        return gaze.strengthened(lambda emphasis: self.at(emphasis=emphasis), 1.0, gaze_check.most_emphasis())
 
 
 def rows(scene, world):
@@ -61,7 +61,7 @@ def rows(scene, world):
         for at in PLACES:
             stage = Stage(world, name, at)
             drawn = stage.at()
-            strength, strong = (1.0, drawn) if drawn.judged.wins else stage.strengthened() or (None, drawn)
+            emphasis, strong = (1.0, drawn) if drawn.judged.wins else stage.strengthened()
             before.append(drawn.judged.gain)
             after.append(strong.judged.gain)
             wins += strong.judged.wins
@@ -69,7 +69,7 @@ def rows(scene, world):
             found += [
                 (f"{what}: gain", drawn.judged.gain, "> 1"),
                 (f"{what}: gain, strengthened", strong.judged.gain, "> 1"),
-                (f"{what}: strength", strength or 0.0, None),
+                (f"{what}: emphasis", emphasis, None),
             ]
     count = len(before)
     found += [

@@ -34,8 +34,8 @@ float answer(const std::optional<Transfer>& transfer, In<float> values, Index sa
     return transfer && !values.empty() ? (*transfer)(values[sample]) : 0.0f;
 }
 
-std::optional<Transfer> if_any(const style::Transfer& transfer, double factor = 1.0) {
-    return transfer.strength == 0.0 ? std::nullopt : std::optional(transfer_of(transfer, factor));
+std::optional<Transfer> if_any(const style::Transfer& transfer, double emphasis = 1.0) {
+    return transfer.strength == 0.0 ? std::nullopt : std::optional(transfer_of(transfer, emphasis));
 }
 
 }  // namespace
@@ -108,7 +108,7 @@ Array<float> half_width_px(const style::Style& style, const Paths& paths, const 
         near.push_back(float(set.pen.spacing));
         away.push_back(float((set.pen_away ? *set.pen_away : set.pen).spacing));
     }
-    const auto by_focus = if_any(style.effects.density, style.effects.strength), by_distance = if_any(style.distance.density);
+    const auto by_focus = if_any(style.effects.density, style.effects.emphasis), by_distance = if_any(style.distance.density);
     const auto wanted = [](In<float> map, Index sample) {
         return map.empty() ? 1.0f : float(power(most_density, 2.0 * map[sample] - 1.0));
     };

@@ -193,7 +193,7 @@ void Frame::ink() {
 
 Emphasis Frame::emphasis(In<float> opacity) const {
     const style::Effects& effects = job.style.effects;
-    const auto by_focus = [&](const style::Transfer& effect) { return transfer_of(effect, effects.strength); };
+    const auto by_focus = [&](const style::Transfer& effect) { return transfer_of(effect, effects.emphasis); };
     return {.focus = focus,
             .distance = distance,
             .shown = opacity,
@@ -244,7 +244,7 @@ Runs Frame::with_ends(const Runs& runs) const {
     const style::Transfer& answer = job.style.effects.overshoot;
     if (focus.empty() || answer.strength == 0.0) return overshoot(*clipped, joined, reach(near));
     Array<float> mix(focus.size());
-    std::ranges::transform(focus, mix.begin(), transfer_of(answer, job.style.effects.strength));
+    std::ranges::transform(focus, mix.begin(), transfer_of(answer, job.style.effects.emphasis));
     return overshoot(*clipped, joined, reach(near), reach(away), mix);
 }
 

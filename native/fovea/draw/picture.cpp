@@ -28,9 +28,9 @@ std::shared_ptr<const SurfaceDistance> surface_of(const std::string& name, const
     return std::make_shared<SurfaceDistance>(*job.scene, job.view, placements);
 }
 
-/// Amount of an effect per pixel, in [0, most]. `strength`: that of all effects.
-Array<float> amounts(const style::Transfer& transfer, double strength, In<float> focus, float most = 1.0f) {
-    const Transfer answer = transfer_of(transfer, strength);
+/// Amount of an effect per pixel, in [0, most]. `emphasis`: of all effects.
+Array<float> amounts(const style::Transfer& transfer, double emphasis, In<float> focus, float most = 1.0f) {
+    const Transfer answer = transfer_of(transfer, emphasis);
     Array<float> result(focus.size());
     parallel_for(focus.size(), [&](std::size_t i) { result[i] = most * answer(focus[i]); });
     return result;
@@ -87,11 +87,11 @@ void Frame::focus_colors() {
     if (e.colors == style::Mode::uniform) uniform.assign(passes.color.size(), float(e.uniform));
     const In<float> at = uniform.empty() ? In<float>(passes.focus) : In<float>(uniform);
     if (at.empty()) return;
-    if (e.desaturation.strength != 0.0) desaturate(passes.color, amounts(e.desaturation, e.strength, at));
+    if (e.desaturation.strength != 0.0) desaturate(passes.color, amounts(e.desaturation, e.emphasis, at));
     const auto& background = job.style.color.background;
     if (e.fade.strength != 0.0)
-        fade(passes.color, amounts(e.fade, e.strength, at), background ? std::optional(vec3(*background)) : std::nullopt);
-    if (e.blur.strength != 0.0) blur(passes.color, job.view.width, amounts(e.blur, e.strength, at, float(e.blur_radius * scale())));
+        fade(passes.color, amounts(e.fade, e.emphasis, at), background ? std::optional(vec3(*background)) : std::nullopt);
+    if (e.blur.strength != 0.0) blur(passes.color, job.view.width, amounts(e.blur, e.emphasis, at, float(e.blur_radius * scale())));
 }
 
 Array<vec4> Frame::ground() const {

@@ -31,7 +31,8 @@ Transfer::Transfer(float start, float end, float strength, In<vec2> curve, float
     for (float& y : response_) y = response(y);
 }
 
-Transfer transfer_of(const style::Transfer& transfer, double factor) {
+Transfer transfer_of(const style::Transfer& transfer, double emphasis) {
+    const double factor = transfer.start > transfer.end ? 1.0 / emphasis : emphasis;
     const std::vector<vec2> curve(transfer.curve.begin(), transfer.curve.end());
     return Transfer(float(transfer.start), float(transfer.end), float(transfer.strength), curve, float(factor));
 }

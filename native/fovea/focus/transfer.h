@@ -45,8 +45,8 @@ class Transfer {
     std::array<float, steps + 1> response_;
 };
 
-/// Builds the transfer function from its settings. `factor`: by which mixes are multiplied, up to 1.
-Transfer transfer_of(const style::Transfer& transfer, double factor = 1.0);
+/// Builds the transfer function from its settings. `emphasis`: of all effects of focus (style::Effects).
+Transfer transfer_of(const style::Transfer& transfer, double emphasis = 1.0);
 
 /// Combines the mixes in [0,1] of two causes of one effect (of several: as vectors); never less than either.
 template <typename Mix>

@@ -19,7 +19,7 @@ constexpr int orientations = 4;                      // over half a turn
 constexpr double period = 7.0, sigma = period / 3.0;  // of Gabor filters, in pixels of a level
 constexpr float darkest = 0.1f;                      // of the brightest: below, colors are not seen
 constexpr float least = 1e-3f;                       // differences that cannot be seen
-constexpr float least_peak = 0.1f;                   // of the highest one
+constexpr float least_peak = 0.1f, tie = 1e-3f;      // of the highest one: below there is none; differences of equal cells
 
 using Pyramid = std::vector<Plane>;
 
@@ -97,18 +97,24 @@ float highest(const Plane& map) { return *std::ranges::max_element(map.values); 
 Plane normalized(Plane map, float whole) {
     if (!(whole > least)) return {map.width, map.height};
     for (float& value : map.values) value /= whole;
-    const auto is_peak = [&](int x, int y) {
+    // 1 at a peak; of equal neighbors each has a share; 0 elsewhere.
+    const auto share_of_peak = [&](int x, int y) {
+        int equal = 0;
         for (int v = std::max(y - 1, 0); v <= std::min(y + 1, map.height - 1); ++v)
-            for (int u = std::max(x - 1, 0); u <= std::min(x + 1, map.width - 1); ++u)
-                if (map.at(u, v) > map.at(x, y)) return false;
-        return map.at(x, y) > least_peak;
+            for (int u = std::max(x - 1, 0); u <= std::min(x + 1, map.width - 1); ++u) {
+                if (map.at(u, v) > map.at(x, y) + tie) return 0.0;
+                equal += map.at(u, v) > map.at(x, y) - tie;
+            }
+        return map.at(x, y) > least_peak ? 1.0 / equal : 0.0;
     };
-    double sum = 0.0;
-    int peaks = 0;
+    double sum = 0.0, peaks = 0.0;
     for (int y = 0; y < map.height; ++y)
-        for (int x = 0; x < map.width; ++x)
-            if (is_peak(x, y)) sum += double(map.at(x, y)), ++peaks;
-    const double most = highest(map), others = peaks > 1 ? (sum - most) / (peaks - 1) : 0.0;
+        for (int x = 0; x < map.width; ++x) {
+            const double share = share_of_peak(x, y);
+            sum += share * double(map.at(x, y));
+            peaks += share;
+        }
+    const double most = highest(map), others = peaks > 1.5 ? (sum - most) / (peaks - 1.0) : 0.0;
     for (float& value : map.values) value *= float((most - others) * (most - others));
     return map;
 }

@@ -16,7 +16,7 @@ namespace {
 constexpr int rows = 64, most_columns = 256;
 constexpr double sigma = 2.5;         // cells by which the map is blurred
 constexpr double least = 1e-3;        // amplitude that rounding does not make
-constexpr double least_share = 1e-4;  // of the largest amplitude: below, frequencies are not there
+constexpr double least_share = 1e-3;  // of the largest amplitude: below is what rounding to bytes makes
 
 using Complex = std::complex<double>;
 using Spectrum = std::vector<Complex>;  // width x height, row by row

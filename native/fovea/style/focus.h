@@ -24,11 +24,11 @@ struct Effects {
     Transfer color, texture, width, opacity, density, overshoot;  ///< lines: mix towards the out-of-focus pen
     Transfer desaturation = off(), fade = off(), blur = off();    ///< color layer: amount
     Mode lines = Mode::emphasized, colors = Mode::emphasized;
-    double strength = 1.0;
+    double emphasis = 1.0;
     double uniform = 0.5;
     double blur_radius = 12.0;
 
-    static constexpr double most_strength = 10.0;
+    static constexpr Domain some_emphasis{0.1, 10.0, 4.0};
 
     bool operator==(const Effects&) const = default;
 
@@ -45,9 +45,10 @@ struct Effects {
         Field{"blur", &Effects::blur, "Blur", "", {}, of_colors},
         Field{"lines", &Effects::lines, "Lines", "Whether lines answer to focus"},
         Field{"colors", &Effects::colors, "Colors", "Whether colors answer to focus"},
-        Field{"strength", &Effects::strength, "Strength",
-              "By which all effects are multiplied, each up to its whole: above 1 they begin nearer to the focus",
-              number(0.0, most_strength, 4.0)},
+        Field{"emphasis", &Effects::emphasis, "Emphasis",
+              "How much effects set off what is in focus: all are multiplied by this, up to their whole, but those that "
+              "are strongest in focus are divided by it",
+              some_emphasis},
         Field{"uniform", &Effects::uniform, "Constant Focus",
               "Focus everywhere, of what is constant: 0 in focus, 1 out of it", share},
         Field{"blur_radius", &Effects::blur_radius, "Blur Radius", "Radius of the full blur", reference(200.0, 60.0)}};
