@@ -63,6 +63,12 @@ class Judged:
         return self.first_in_focus and self.gain >= WANTED_GAIN
 
 
+def frame_size(width, height):
+    """(width, height) of a frame as large as the models of salience look at it, but not larger than it is."""
+    scale = min(1.0, native.load().Salience.usual_diagonal / np.hypot(width, height))
+    return tuple(max(4, round(float(side) * scale)) for side in (width, height))
+
+
 def look(picture):
     """The Gaze of a picture."""
     models, height, width = native.load().Salience, *picture.shape[:2]

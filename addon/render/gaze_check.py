@@ -6,8 +6,6 @@ frames around them, which Temporal Smoothing would need."""
 from dataclasses import dataclass
 from functools import partial
 
-import numpy as np
-
 from .. import gaze, native, style
 from ..scene.problem import CannotDraw
 from . import as_rendered, properties, session
@@ -96,9 +94,7 @@ class _Drawing:
 def _looked(context, work, tell):
     """work(_Drawing) of a final render of the context's view layer."""
     own = properties.style_of(context.scene)
-    chosen = own.replace(
-        elision=own.elision.replace(frames=0), animation=own.animation.replace(visibility_frames=0)
-    )
+    chosen = own.replace(elision=own.elision.replace(frames=0), animation=own.animation.replace(visibility_frames=0))
 
     def make(*arguments):
         return work(_Drawing(*arguments))
@@ -112,7 +108,6 @@ def _looked(context, work, tell):
 def _as_looked_at(scene):
     """Sets a copy of a scene to the whole frame, as large as it is looked at, but not larger than it is."""
     render = scene.render
-    own = np.array((render.resolution_x, render.resolution_y)) * render.resolution_percentage / 100
-    size = own * min(1.0, native.load().Salience.usual_diagonal / np.hypot(*own))
-    render.resolution_x, render.resolution_y = (max(4, round(float(side))) for side in size)
+    own = (side * render.resolution_percentage / 100 for side in (render.resolution_x, render.resolution_y))
+    render.resolution_x, render.resolution_y = gaze.frame_size(*own)
     render.resolution_percentage, render.use_border = 100, False

@@ -224,8 +224,10 @@ COMPARE = {"overlay": Pair(*BUNNY, (("contour", "suggestive_contour"), ("contour
 
 GAZE_SIZE = "240x135"
 GAZE = {  # heat map -> what of the office it is of
-    name: Stage(("--style", "xray_focus", "--focus", "0.2,0.5", "--focus-radii", "0.1,0.6"), {"effects.emphasis": emphasis})
-    for name, emphasis in (("before", 1.0), ("strengthened", 4.0))
+    name: Stage(
+        ("--style", "brush", "--focus", "0.45,0.82", "--focus-radii", "0.03,0.8"), {"effects.emphasis": emphasis}
+    )
+    for name, emphasis in (("before", 1.0), ("strengthened", 2.74))
 }
 
 # Name -> {picture: its description}; each group is a folder of addon/docs.

@@ -44,9 +44,10 @@ py::bytes png(const py::array_t<std::uint8_t, py::array::c_style>& rgb) {
 
 Numpy<std::uint8_t> pixels_of_png(const py::bytes& file) {
     const std::string_view bytes(file);
-    RgbImage read = without_gil(
-        [bytes] { return rgb_png({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()}); });
-    return to_numpy(std::move(read.values)).reshape({py::ssize_t(read.height), py::ssize_t(read.width), py::ssize_t(3)});
+    RgbImage read =
+        without_gil([bytes] { return rgb_png({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()}); });
+    return to_numpy(std::move(read.values))
+        .reshape({py::ssize_t(read.height), py::ssize_t(read.width), py::ssize_t(3)});
 }
 
 Numpy<std::uint8_t> displayed(const Pixels& image) {

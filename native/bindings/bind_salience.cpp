@@ -25,8 +25,8 @@ template <Model model>
 Salience salience_of(const Bytes& pixels) {
     check(pixels.ndim() == 3 && pixels.shape(2) == 3 && pixels.size() > 0 && pixels.size() < py::ssize_t(none),
           "a picture: expected pixels of shape (height, width, 3)");
-    const color::RgbImage picture{int(pixels.shape(1)), int(pixels.shape(0)),
-                                  {pixels.data(), pixels.data() + pixels.size()}};
+    const color::RgbImage picture{
+        int(pixels.shape(1)), int(pixels.shape(0)), {pixels.data(), pixels.data() + pixels.size()}};
     return without_gil([&] { return Salience{model(picture), double(picture.width) / picture.height}; });
 }
 

@@ -15,7 +15,7 @@ import scenes
 from bench.focus import salience, world
 from command.target import SHARED
 
-gaze_check, style_data = part("render.gaze_check"), part("style.style_data")
+gaze, gaze_check, style_data = part("gaze"), part("render.gaze_check"), part("style.style_data")
 BOXES = "Left", "Middle", "Right"
 
 
@@ -115,5 +115,5 @@ def test_in_the_office_focus_draws_the_gaze_by_color_more_than_by_lines_and_most
         stage = salience.Stage(world, salience.COLORFUL, salience.PLACES[1])
         return [stage.at(**effects).judged.gain for effects in salience.CONDITIONS.values()]
 
-    both, color, lines = world.measure(gains, salience.frame_size(16, 9))
+    both, color, lines = world.measure(gains, gaze.frame_size(1920, 1080))
     assert both > color > lines > 1

@@ -69,8 +69,7 @@ TEST(Salience, TheEyeGoesToTheDiscOfAnotherColorFirst) {
 TEST(Salience, TheEyeGoesToTheBarThatIsTurnedFirst) {
     for (const int odd : {1, 6}) {
         RgbImage picture = paper();
-        for (int i = 0; i < 12; ++i)
-            add_bar(picture, gray, tile(i), i == odd ? std::numbers::pi / 2.0 : 0.0);
+        for (int i = 0; i < 12; ++i) add_bar(picture, gray, tile(i), i == odd ? std::numbers::pi / 2.0 : 0.0);
         EXPECT_LT(glm::distance(first_px(itti_koch(picture)), tile(odd)), 40.0) << odd;
     }
 }

@@ -14,7 +14,7 @@ sys.path.insert(0, str(Path(__file__).parents[2]))
 import bpy
 import numpy as np
 import scenes
-from bl_ext.user_default.fovea import native, style
+from bl_ext.user_default.fovea import gaze, native, style
 from bl_ext.user_default.fovea.render import gpu_context
 
 from bench.focus import PER_ATLAS_SAMPLE, PER_SAMPLE, coherence, density, emphasis, salience, world
@@ -64,7 +64,10 @@ def emphasis_rows(asked):
 
 
 def salience_rows(asked):
-    return world.measure(partial(salience.rows, asked["scene"]), salience.frame_size(*asked["size"]))
+    def work(place):
+        return salience.rows(asked["scene"], place, asked["places"])
+
+    return world.measure(work, gaze.frame_size(*asked["size"]))
 
 
 def cost_rows(asked):
@@ -110,8 +113,13 @@ def median_ms(work):
     return float(np.median(times[1:]))
 
 
-PARTS = {"density": density_rows, "coherence": coherence_rows, "cost": cost_rows, "emphasis": emphasis_rows,
-         "salience": salience_rows}
+PARTS = {
+    "density": density_rows,
+    "coherence": coherence_rows,
+    "cost": cost_rows,
+    "emphasis": emphasis_rows,
+    "salience": salience_rows,
+}
 
 if __name__ == "__main__":
     main(json.loads(sys.argv[sys.argv.index("--") + 1]))

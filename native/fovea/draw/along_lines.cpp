@@ -108,7 +108,8 @@ Array<float> half_width_px(const style::Style& style, const Paths& paths, const 
         near.push_back(float(set.pen.spacing));
         away.push_back(float((set.pen_away ? *set.pen_away : set.pen).spacing));
     }
-    const auto by_focus = if_any(style.effects.density, style.effects.emphasis), by_distance = if_any(style.distance.density);
+    const auto by_focus = if_any(style.effects.density, style.effects.emphasis),
+               by_distance = if_any(style.distance.density);
     const auto wanted = [](In<float> map, Index sample) {
         return map.empty() ? 1.0f : float(power(most_density, 2.0 * map[sample] - 1.0));
     };

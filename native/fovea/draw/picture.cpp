@@ -90,8 +90,10 @@ void Frame::focus_colors() {
     if (e.desaturation.strength != 0.0) desaturate(passes.color, amounts(e.desaturation, e.emphasis, at));
     const auto& background = job.style.color.background;
     if (e.fade.strength != 0.0)
-        fade(passes.color, amounts(e.fade, e.emphasis, at), background ? std::optional(vec3(*background)) : std::nullopt);
-    if (e.blur.strength != 0.0) blur(passes.color, job.view.width, amounts(e.blur, e.emphasis, at, float(e.blur_radius * scale())));
+        fade(passes.color, amounts(e.fade, e.emphasis, at),
+             background ? std::optional(vec3(*background)) : std::nullopt);
+    if (e.blur.strength != 0.0)
+        blur(passes.color, job.view.width, amounts(e.blur, e.emphasis, at, float(e.blur_radius * scale())));
 }
 
 Array<vec4> Frame::ground() const {

@@ -31,8 +31,7 @@ double salient_share(const Plane& salience, const Plane& weights) {
     const Plane of_cells = resized(weights, salience.width, salience.height);
     const auto& all = salience.values;
     const double sum = std::accumulate(all.begin(), all.end(), 0.0);
-    if (!(sum > 0.0))
-        return std::accumulate(of_cells.values.begin(), of_cells.values.end(), 0.0) / double(all.size());
+    if (!(sum > 0.0)) return std::accumulate(of_cells.values.begin(), of_cells.values.end(), 0.0) / double(all.size());
     return std::inner_product(all.begin(), all.end(), of_cells.values.begin(), 0.0) / sum;
 }
 

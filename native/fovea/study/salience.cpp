@@ -15,11 +15,11 @@ namespace {
 
 constexpr int centers[] = {2, 3, 4}, apart[] = {3, 4};  // levels of centers, and how many levels above surrounds are
 constexpr int levels = 9, map_level = 4;
-constexpr int orientations = 4;                      // over half a turn
+constexpr int orientations = 4;                       // over half a turn
 constexpr double period = 7.0, sigma = period / 3.0;  // of Gabor filters, in pixels of a level
-constexpr float darkest = 0.1f;                      // of the brightest: below, colors are not seen
-constexpr float least = 1e-3f;                       // differences that cannot be seen
-constexpr float least_peak = 0.1f, tie = 1e-3f;      // of the highest one: below there is none; differences of equal cells
+constexpr float darkest = 0.1f;                       // of the brightest: below, colors are not seen
+constexpr float least = 1e-3f;                        // differences that cannot be seen
+constexpr float least_peak = 0.1f, tie = 1e-3f;  // of the highest one: below there is none; differences of equal cells
 
 using Pyramid = std::vector<Plane>;
 
@@ -92,8 +92,8 @@ void add(Plane& sum, const Plane& other, float factor = 1.0f) {
 
 float highest(const Plane& map) { return *std::ranges::max_element(map.values); }
 
-/// The operator N of Itti, Koch & Niebur: divided by `whole`, and weighted by how far the highest peak is above the mean
-/// of the others.
+/// The operator N of Itti, Koch & Niebur: divided by `whole`, and weighted by how far the highest peak is above the
+/// mean of the others.
 Plane normalized(Plane map, float whole) {
     if (!(whole > least)) return {map.width, map.height};
     for (float& value : map.values) value /= whole;
@@ -159,8 +159,7 @@ Channels channels_of(const color::RgbImage& picture, int width, int height) {
     const auto color = [&](std::size_t i) { return vec3(bands[0].values[i], bands[1].values[i], bands[2].values[i]); };
     const auto most_of = [](const vec3& rgb) { return std::max({rgb.r, rgb.g, rgb.b}); };
     float brightest = 0.0f;
-    for (std::size_t i = 0; i < found.intensity.values.size(); ++i)
-        brightest = std::max(brightest, most_of(color(i)));
+    for (std::size_t i = 0; i < found.intensity.values.size(); ++i) brightest = std::max(brightest, most_of(color(i)));
     for (std::size_t i = 0; i < found.intensity.values.size(); ++i) {
         const vec3 rgb = color(i);
         const float most = most_of(rgb);

@@ -45,10 +45,11 @@ struct Effects {
         Field{"blur", &Effects::blur, "Blur", "", {}, of_colors},
         Field{"lines", &Effects::lines, "Lines", "Whether lines answer to focus"},
         Field{"colors", &Effects::colors, "Colors", "Whether colors answer to focus"},
-        Field{"emphasis", &Effects::emphasis, "Emphasis",
-              "How much effects set off what is in focus: all are multiplied by this, up to their whole, but those that "
-              "are strongest in focus are divided by it",
-              some_emphasis},
+        Field{
+            "emphasis", &Effects::emphasis, "Emphasis",
+            "How much effects set off what is in focus: all are multiplied by this, up to their whole, but those that "
+            "are strongest in focus are divided by it",
+            some_emphasis},
         Field{"uniform", &Effects::uniform, "Constant Focus",
               "Focus everywhere, of what is constant: 0 in focus, 1 out of it", share},
         Field{"blur_radius", &Effects::blur_radius, "Blur Radius", "Radius of the full blur", reference(200.0, 60.0)}};
