@@ -234,7 +234,8 @@ GAZE = {  # heat map -> what of the office it is of
 GROUPS = {
     "lines": LINES, "sections": SECTIONS, "way": WAY, "focus": FOCUS, "strokes": STROKES, "painted": PAINTED,
     "situations": SITUATIONS, "over": OVER, "transfers": TRANSFERS, "grease_pencil": GREASE_PENCIL,
-    "animation": ANIMATION | FOLLOWING | PASSING, "compare": COMPARE, "gaze": GAZE, "vectors": VECTORS | TITLED, "farm": FARM,
+    "animation": ANIMATION | FOLLOWING | PASSING, "compare": COMPARE, "gaze": GAZE,
+    "vectors": VECTORS | TITLED, "farm": FARM,
 }  # fmt: skip
 
 
