@@ -318,6 +318,10 @@ class style:
         def visibility_frames(self) -> int: ...
         @property
         def vanish(self) -> str: ...
+        @property
+        def motion_blur(self) -> bool: ...
+        @property
+        def motion_samples(self) -> int: ...
         fields: ClassVar[tuple]
         def held(self, frame: int) -> int:
             """The frame whose drawing stands at a frame."""
@@ -1363,11 +1367,12 @@ class Frame:
         overrides: Overrides | None=None,
         colors: ColorSources | None=None,
         near: Mapping[int, NearLines]={},
+        exposure: Exposure | None=None,
         cancel: Cancel | None=None,
         progress: Callable | None=None,
     ) -> None:
-        """near: {how many frames later another is: its NearLines}; progress(share, stage) is called before each
-        stage."""
+        """near: {how many frames later another is: its NearLines}; exposure: an Exposure, whose ink is drawn in place
+        of the frame's own; progress(share, stage) is called before each stage."""
     def find(self) -> None: ...
     def see(self) -> None: ...
     def filter(self) -> None: ...
@@ -1455,6 +1460,16 @@ class FoundLines:
     @property
     def bytes(self) -> int:
         """about"""
+
+class Exposure:
+    """The ink of moments while a shutter is open, averaged; see native/fovea/draw/exposure.h."""
+    def __init__(self) -> None: ...
+    def add(self, moment: Frame, weight: float) -> None:
+        """Draws the ink of a moment's Frame, with this weight above 0, and takes it out of the frame."""
+    def again(self, weight: float) -> None:
+        """Once more the moment that was added last."""
+    @property
+    def empty(self) -> bool: ...
 
 class Ahead:
     """Computes what frames of a style will need of surfaces, on other threads, while others are read. As a context: at

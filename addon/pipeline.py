@@ -26,11 +26,25 @@ def options(**given):
     return native.load().Options(**given)
 
 
-def frame(scene, view, chosen, backend, asked, *, notes=None, colors=None, near=None, progress=None, cancel=None):
+def frame(
+    scene,
+    view,
+    chosen,
+    backend,
+    asked,
+    *,
+    notes=None,
+    colors=None,
+    near=None,
+    exposure=None,
+    progress=None,
+    cancel=None,
+):
     """A native Frame for a native Scene, a native View and a Style; no stage of it has run yet.
 
     `asked`: native Options. `notes`: native Overrides, per placement. `colors`: native ColorSources, needed if the
-    style has a color layer. `near`: a Near, needed if `frames_near` is above 0.
+    style has a color layer. `near`: a Near, needed if `frames_near` is above 0. `exposure`: a native Exposure, whose
+    ink it has in place of its own.
     `progress(share, stage)` is called before each stage, with the share done in [0, 1]. `cancel`: native Cancel."""
     core = native.load()
     with native.refusals():
@@ -44,6 +58,7 @@ def frame(scene, view, chosen, backend, asked, *, notes=None, colors=None, near=
             overrides=notes,
             colors=colors,
             near=near.lines if near else {},
+            exposure=exposure,
             cancel=cancel,
             progress=progress,
         )

@@ -281,15 +281,17 @@ def moving(name, path):
     return in_grays(made, FEW_GREYS)
 
 
-def passing(name, path):
-    """(H, W) frames of a scene in motion, in a row for each way in which lines come and go, supersampled by 2."""
+def compared(name, path):
+    """(H, W) frames of a scene in motion, in a row for each of several settings, supersampled by 2."""
     width, height = pages.ANIMATION_SIZE
-    words = ["--style", "plain", "--lines", "contour,crease", "--size", f"{2 * width}x{2 * height}", "-o", str(path)]
+    in_motion, lines, each_row = pages.COMPARED[name]
+    words = ["--style", "plain", "--lines", lines, "--size", f"{2 * width}x{2 * height}", "-o", str(path)]
     rows = []
-    for settings in pages.PASSING[name]:
-        motions.build(name, pages.ANIMATION_FRAMES, SHARED)
+    for settings in each_row:
+        motions.build(in_motion, pages.ANIMATION_FRAMES, SHARED)
         scene, shown = bpy.context.scene, []
-        set_drawing(scene, draw_options.parse(words), pages.PASSING_PEN | settings)
+        scene.render.use_motion_blur = True
+        set_drawing(scene, draw_options.parse(words), pages.COMPARED_PEN | settings)
         for k in range(pictures.FRAMES):
             scene.frame_set(pages.ANIMATION_FRAMES // 2 - 1 + k)
             picture.render(scene, path)
@@ -301,7 +303,7 @@ def passing(name, path):
 
 
 def animation(name, path):
-    drawn_by = {**dict.fromkeys(pages.FOLLOWING, following), **dict.fromkeys(pages.PASSING, passing)}
+    drawn_by = {**dict.fromkeys(pages.FOLLOWING, following), **dict.fromkeys(pages.COMPARED, compared)}
     return drawn_by.get(name, moving)(name, path)
 
 

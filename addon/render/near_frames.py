@@ -11,6 +11,7 @@ scene is edited meanwhile, and above the memory limit."""
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from functools import partial
+from math import floor
 
 import bpy
 from bpy.app.handlers import persistent
@@ -128,13 +129,15 @@ def _key(engine, depsgraph):
 
 @contextmanager
 def other_frames(engine, scene):
-    """Context with a function go(offset) that evaluates the engine's depsgraph at another frame; restores it after."""
+    """Context with a function go(offset) that evaluates the engine's depsgraph so many frames, or parts of one, later;
+    restores it after."""
     frame, subframe = scene.frame_current, scene.frame_subframe
     gone = []
 
     def go(away):
         gone.append(away)
-        engine.frame_set(frame + away, subframe=subframe)
+        whole, part = divmod(subframe + (away - floor(away)), 1)
+        engine.frame_set(frame + floor(away) + int(whole), subframe=part)
 
     try:
         yield go

@@ -18,7 +18,7 @@ from ..scene import camera, followed, kept, scene, surfaces
 from ..scene.operator import TOLD
 from ..scene.problem import CannotDraw
 from ..style import freestyle
-from . import holds, lines_scenes, methods, near_frames, passes, properties, reading, stage_labels
+from . import holds, lines_scenes, methods, motion_blur, near_frames, passes, properties, reading, stage_labels
 
 _log = logging.getLogger(__package__)
 readers = {}  # depsgraph mode -> Reader
@@ -70,7 +70,7 @@ def render(engine, depsgraph, also=None):
             lines_scenes.note(depsgraph.scene, message)
 
     with reported(tell, what):
-        if made := final(engine, depsgraph, make=partial(draw, also=also)):
+        if made := final(engine, depsgraph, make=partial(draw, also=also), exposed=True):
             note_statistics(*made)
             layer, objects = depsgraph.view_layer, made[0].snapshot.drawn
             filled = passes.filled(made[1], layer, properties.line_set_names(followed.of(depsgraph.scene)))
@@ -109,10 +109,10 @@ def gather(engine, depsgraph, chosen, viewport=None, with_colors=True, cancel=No
     return found
 
 
-def draw(found, seen, chosen, backend, options, progress, cancel, near=None, also=None):
+def draw(found, seen, chosen, backend, options, progress, cancel, near=None, also=None, exposure=None):
     """The Image of a Read scene in a native View; accesses no Blender data unless the backend does. `near`: a
-    pipeline.Near, for lines that answer to frames near this one. `also`: as for `pipeline.draw`."""
-    beside = {"colors": found.colors, "notes": found.notes, "near": near, "also": also}
+    pipeline.Near, for lines that answer to frames near this one. `also`, `exposure`: as for `pipeline.draw`."""
+    beside = {"colors": found.colors, "notes": found.notes, "near": near, "also": also, "exposure": exposure}
     return pipeline.draw(found.placed, seen, chosen, backend, options, **beside, progress=progress, cancel=cancel)
 
 
@@ -123,11 +123,11 @@ def final_image(engine, depsgraph, **how):
     return made and made[1]
 
 
-def final(engine, depsgraph, make=draw, *, chosen=None, lines_alone=False, tell=None):
-    """(Read, result of `make`, seconds spent on neighboring frames) for a final render of the depsgraph's scene, or
-    None if the user canceled it. `make`: called with the arguments of `draw`. `chosen`: a Style in place of the scene's
-    own. `lines_alone`: without colors and without passes but Lines. `tell(share, stage)` receives the progress; None:
-    Blender's progress bar does."""
+def final(engine, depsgraph, make=draw, *, chosen=None, lines_alone=False, exposed=False, tell=None):
+    """(Read, result of `make`, seconds spent on other frames) for a final render of the depsgraph's scene, or None if
+    the user canceled it. `make`: called with the arguments of `draw`, and with `exposure` if `exposed` and the scene
+    has motion blur of lines. `chosen`: a Style in place of the scene's own. `lines_alone`: without colors and without
+    passes but Lines. `tell(share, stage)` receives the progress; None: Blender's progress bar does."""
     core, settings, tell = native.load(), followed.of(depsgraph.scene).fovea, tell or partial(_progress, engine)
     styled = partial(properties.style_drawn, given=chosen)
     animation = styled(depsgraph).animation
@@ -137,26 +137,30 @@ def final(engine, depsgraph, make=draw, *, chosen=None, lines_alone=False, tell=
     lines_alone = lines_alone or followed.follows(depsgraph.scene)
     options = pipeline.options(visibility=visibility, **asked, **methods.quality(settings))
     cancel = core.Cancel()
+    drawn = options.replace(boil_drawing=animation.boil_drawing(depsgraph.scene.frame_current))
+    exposed = exposed and motion_blur.is_on(depsgraph, animation)
 
     def read(chosen):
-        near = lines_near(engine, depsgraph, styled, backend, options, cancel)
-        # After the neighboring frames, because cached surfaces have the positions of the frame gathered last.
-        return near, gather(engine, depsgraph, chosen, with_colors=not lines_alone, cancel=cancel)
+        near, of_ink = lines_near(engine, depsgraph, styled, backend, options, cancel), {}
+        if exposed:
+            look = partial(_moment, engine, depsgraph, styled, backend, drawn, cancel, near)
+            of_ink["exposure"] = motion_blur.exposure(engine, depsgraph, animation.motion_samples, look)
+        # After other frames, because cached surfaces have the positions of the frame gathered last.
+        return near, of_ink, gather(engine, depsgraph, chosen, with_colors=not lines_alone, cancel=cancel)
 
     with watched(engine, cancel), cancel:
         try:
             with holds.held(engine, depsgraph, animation):
                 chosen, seen = styled(depsgraph), scene.seen(core, camera.of_render(engine, depsgraph))
                 start = time.perf_counter()
-                near, found = read(chosen)
+                near, of_ink, found = read(chosen)
                 if near:
                     content = near_frames.content(found, seen, chosen, options, backend)
                     if near_frames.changed(engine, depsgraph, content):
-                        near, found = read(chosen)
+                        near, of_ink, found = read(chosen)
                     near = near_frames.with_itself(engine, depsgraph, near, content)
-                near_s = time.perf_counter() - start - found.seconds if near else 0.0
-            options = options.replace(boil_drawing=animation.boil_drawing(depsgraph.scene.frame_current))
-            return found, make(found, seen, chosen, backend, options, tell, cancel, near), near_s
+                other_s = time.perf_counter() - start - found.seconds if near or of_ink else 0.0
+            return found, make(found, seen, chosen, backend, drawn, tell, cancel, near, **of_ink), other_s
         except core.Cancelled:
             return None
 
@@ -171,17 +175,30 @@ def lines_near(engine, depsgraph, styled, backend, options, cancel=None):
 
 def _look(engine, depsgraph, styled, backend, options, cancel):
     """The near_frames.Looked of the frame that a final render's depsgraph is evaluated at."""
+    where = f"Frame {depsgraph.scene.frame_current}"
+    content, frame = _frame_now(engine, depsgraph, styled, backend, options, cancel, where)
+    return near_frames.Looked(content, frame.found_lines() if frame.thins() or frame.lasts() else None)
+
+
+def _moment(engine, depsgraph, styled, backend, options, cancel, near, number):
+    """(content, native Frame) of the moment of a final render's shutter that the depsgraph is evaluated at."""
+    of_ink = options.replace(with_line_depth=False, with_line_id=False, matte_ranks=0)
+    return _frame_now(engine, depsgraph, styled, backend, of_ink, cancel, f"Moment {number}", near)
+
+
+def _frame_now(engine, depsgraph, styled, backend, options, cancel, where, near=None):
+    """(content as of near_frames, native Frame without colors) of what a final render's depsgraph is evaluated at.
+    `where`: what that is called in the header."""
     chosen = styled(depsgraph)
     found = gather(engine, depsgraph, chosen, with_colors=False, cancel=cancel)
     seen = scene.seen(native.load(), camera.of_render(engine, depsgraph))
 
     def progress(_, stage):
-        stage_labels.show(engine, f"Frame {depsgraph.scene.frame_current}: {stage_labels.label(stage)}")
+        stage_labels.show(engine, f"{where}: {stage_labels.label(stage)}")
 
-    beside = {"notes": found.notes, "progress": progress, "cancel": cancel}
+    beside = {"notes": found.notes, "near": near, "progress": progress, "cancel": cancel}
     frame = pipeline.frame(found.placed, seen, chosen, backend, options, **beside)
-    content = near_frames.content(found, seen, chosen, options, backend)
-    return near_frames.Looked(content, frame.found_lines() if frame.thins() or frame.lasts() else None)
+    return near_frames.content(found, seen, chosen, options, backend), frame
 
 
 @contextmanager
@@ -228,11 +245,11 @@ def report_once(engine, remark):
         engine.report({"INFO"}, remark)
 
 
-def note_statistics(found, image, near_s=0.0):
-    """Stores the `last_statistics` of an Image and its Read. `near_s`: seconds spent on neighboring frames, or 0."""
+def note_statistics(found, image, other_s=0.0):
+    """Stores the `last_statistics` of an Image and its Read. `other_s`: seconds spent on other frames, or 0."""
     snapshot, stages = found.snapshot, {"ingest": 1000 * found.seconds, **image.statistics["stages"]}
-    if near_s:
-        stages["near_frames"] = 1000 * near_s
+    if other_s:
+        stages["near_frames"] = 1000 * other_s
     names = list(stages)
     until_runs = names[: names.index("visibility") + 1]
     reasons = [surface.fields_reason for surface in snapshot.surfaces]

@@ -200,12 +200,17 @@ FOLLOWING = {  # what changes between drawings of a monkey -> settings of each f
     "boil": [{"animation.boil": 1.0, "animation.boil_hold": 1}] * 4,
     "written": [{"animation.written": share} for share in (0.25, 0.5, 0.75, 1.0)],
 }
-PASSING_PEN = {"pen.width": 9.0}
-PASSING = {  # scene with motion -> settings of each row of its picture
-    "passing": [
-        {"animation.visibility_frames": 0},
-        *({"animation.visibility_frames": 2, "animation.vanish": how} for how in ("FADE", "BREAK_UP", "RETRACT")),
-    ]
+COMPARED_PEN = {"pen.width": 9.0}
+COMPARED = {  # picture -> (scene with motion, its lines, settings of each row)
+    "passing": (
+        "passing",
+        "contour,crease",
+        [
+            {"animation.visibility_frames": 0},
+            *({"animation.visibility_frames": 2, "animation.vanish": how} for how in ("FADE", "BREAK_UP", "RETRACT")),
+        ],
+    ),
+    "blurred": ("walk", "contour", [{}, {"animation.motion_blur": True, "animation.motion_samples": 16}]),
 }
 JPEG_QUALITY = 60  # of pictures that are part of the extension
 STEPS = ("1_engine", "2_rendered", "3_style", "4_focus", "5_pull")  # pictures of first_drawing.md
@@ -234,7 +239,7 @@ GAZE = {  # heat map -> what of the office it is of
 GROUPS = {
     "lines": LINES, "sections": SECTIONS, "way": WAY, "focus": FOCUS, "strokes": STROKES, "painted": PAINTED,
     "situations": SITUATIONS, "over": OVER, "transfers": TRANSFERS, "grease_pencil": GREASE_PENCIL,
-    "animation": ANIMATION | FOLLOWING | PASSING, "compare": COMPARE, "gaze": GAZE,
+    "animation": ANIMATION | FOLLOWING | COMPARED, "compare": COMPARE, "gaze": GAZE,
     "vectors": VECTORS | TITLED, "farm": FARM,
 }  # fmt: skip
 

@@ -61,14 +61,15 @@ using Near = std::map<int, NearLines>;
 std::shared_ptr<Frame> make_frame(std::shared_ptr<Scene> scene, const View& view, const style::Style& style,
                                   const Options& options, std::shared_ptr<Assets> assets,
                                   std::shared_ptr<Backend> backend, const OwningOverrides* overrides,
-                                  const ColorSources* colors, const Near& near, std::shared_ptr<Cancel> cancel,
-                                  const std::optional<py::function>& progress) {
+                                  const ColorSources* colors, const Near& near, std::shared_ptr<Exposure> exposure,
+                                  std::shared_ptr<Cancel> cancel, const std::optional<py::function>& progress) {
     Job job{.scene = std::move(scene), .view = view, .style = style, .options = options};
     if (overrides) job.overrides = overrides->overrides;
     job.assets = std::move(assets);
     job.backend = std::move(backend);
     if (colors) job.colors = *colors;
     job.near.assign(near.begin(), near.end());
+    job.exposure = std::move(exposure);
     if (cancel) job.cancel = std::move(cancel);
     if (progress)
         job.progress = [heard = *progress](double share, const std::string& stage) {
@@ -144,6 +145,16 @@ void bind_found_lines(py::module_& m) {
         .def_property_readonly("bytes", &FoundLines::bytes, "about");
 }
 
+void bind_exposure(py::module_& m) {
+    py::class_<Exposure, std::shared_ptr<Exposure>>(
+        m, "Exposure", "The ink of moments while a shutter is open, averaged; see native/fovea/draw/exposure.h.")
+        .def(py::init<>())
+        .def("add", &Exposure::add, NoGil(), py::arg("moment"), py::arg("weight"),
+             "Draws the ink of a moment's Frame, with this weight above 0, and takes it out of the frame.")
+        .def("again", &Exposure::again, NoGil(), py::arg("weight"), "Once more the moment that was added last.")
+        .def_property_readonly("empty", &Exposure::empty);
+}
+
 void bind_ahead(py::module_& m) {
     py::class_<Ahead>(m, "Ahead",
                       "Computes what frames of a style will need of surfaces, on other threads, while others are read. "
@@ -185,13 +196,14 @@ using FrameClass = py::class_<Frame, std::shared_ptr<Frame>>;
 
 void bind_steps(FrameClass& frame) {
     frame
-        .def(py::init(&make_frame), py::arg("scene"), py::arg("view"), py::arg("style"), py::kw_only(),
-             py::arg("options") = Options(), py::arg("assets") = nullptr, py::arg("backend") = nullptr,
-             py::arg("overrides") = nullptr, py::arg("colors") = nullptr, py::arg("near") = Near(),
-             py::arg("cancel") = nullptr, py::arg("progress") = py::none(), py::keep_alive<1, 7>(),
-             py::keep_alive<1, 8>(),
-             R"(near: {how many frames later another is: its NearLines}; progress(share, stage) is called before each
-stage.)")
+        .def(
+            py::init(&make_frame), py::arg("scene"), py::arg("view"), py::arg("style"), py::kw_only(),
+            py::arg("options") = Options(), py::arg("assets") = nullptr, py::arg("backend") = nullptr,
+            py::arg("overrides") = nullptr, py::arg("colors") = nullptr, py::arg("near") = Near(),
+            py::arg("exposure") = nullptr, py::arg("cancel") = nullptr, py::arg("progress") = py::none(),
+            py::keep_alive<1, 7>(), py::keep_alive<1, 8>(),
+            R"(near: {how many frames later another is: its NearLines}; exposure: an Exposure, whose ink is drawn in place of
+the frame's own; progress(share, stage) is called before each stage.)")
         .def("find", &Frame::find, NoGil())
         .def("see", &Frame::see, NoGil())
         .def("filter", &Frame::filter, NoGil())
@@ -272,6 +284,7 @@ void bind_draw(py::module_& m) {
     FrameClass frame(m, "Frame",
                      "One picture on its way: each step takes those before it; see native/fovea/draw/frame.h.");
     bind_found_lines(m);
+    bind_exposure(m);
     bind_ahead(m);
     bind_backend(m);
     bind_parts(m);

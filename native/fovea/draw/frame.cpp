@@ -183,6 +183,10 @@ void Frame::ink() {
     shape();
     if (has(Step::ink)) return;
     stage("strokes", 0.1, [&] {
+        if (job.exposure) {
+            passes.lines = job.exposure->lines();
+            return;
+        }
         passes.lines = job.backend->draw(*this);
         const style::Section& section = job.style.section;
         if (section.filled)

@@ -12,6 +12,7 @@
 
 #include <fovea/color/layer.h>
 #include <fovea/draw/backend.h>
+#include <fovea/draw/exposure.h>
 #include <fovea/draw/found_lines.h>
 #include <fovea/draw/line_passes.h>
 #include <fovea/draw/options.h>
@@ -45,8 +46,9 @@ struct Job {
     Overrides overrides = {};
     std::shared_ptr<const Assets> assets = {};
     std::shared_ptr<Backend> backend = {};
-    std::optional<ColorSources> colors = {};  ///< none: no color layer, whatever the style says
-    std::vector<LinesNear> near = {};         ///< neighboring frames, for elision and visibility over them
+    std::optional<ColorSources> colors = {};        ///< none: no color layer, whatever the style says
+    std::vector<LinesNear> near = {};               ///< neighboring frames, for elision and visibility over them
+    std::shared_ptr<const Exposure> exposure = {};  ///< ink in place of the frame's own; null: sharp
     std::shared_ptr<const Cancel> cancel = std::make_shared<Cancel>();
     /// Called before each stage with the fraction done, in [0, 1], and the stage's name.
     std::function<void(double, const std::string&)> progress = {};

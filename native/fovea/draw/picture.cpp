@@ -70,7 +70,11 @@ void Frame::picture() {
             depth();
             passes.depth = std::move(depth_);
         });
-    if (wants_line_passes(job.options)) stage("passes", 0.05, [&] { passes.of_lines = line_passes(*this); });
+    if (wants_line_passes(job.options))
+        stage("passes", 0.05, [&] {
+            passes.of_lines = line_passes(*this);
+            if (job.exposure) job.exposure->replace(passes.of_lines);
+        });
     done_ = Step::picture;
 }
 

@@ -26,6 +26,8 @@ struct Animation {
     double written = 1.0;
     int visibility_frames = 0;
     Vanish vanish = Vanish::fade;
+    bool motion_blur = false;
+    int motion_samples = 8;
 
     bool operator==(const Animation&) const = default;
     /// The frame whose drawing stands at a frame.
@@ -53,7 +55,12 @@ struct Animation {
               "single one takes as many times as long, an animation little longer",
               number(0, 8, 8)},
         Field{"vanish", &Animation::vanish, "Come and Go",
-              "What lines of meshes do that are seen for a part of that time"}};
+              "What lines of meshes do that are seen for a part of that time"},
+        Field{"motion_blur", &Animation::motion_blur, "Motion Blur of Lines",
+              "Renders draw lines at several moments while the scene's shutter is open, and average them: it takes as "
+              "many times as long. The scene has motion blur on, too"},
+        Field{"motion_samples", &Animation::motion_samples, "Samples", "Number of moments while the shutter is open",
+              number(2, 256, 32)}};
 };
 
 }  // namespace fovea::style
