@@ -52,9 +52,9 @@ class RecordingLayout:
     def template_icon_view(self, owner, name, **_options):
         assert name in owner.bl_rna.properties, name
 
-    def template_curve_mapping(self, node, name):
-        assert getattr(node, name).curves
-        self.curves.append(node.name)
+    def template_curve_mapping(self, owner, name):
+        assert getattr(owner, name).curves
+        self.curves.append(getattr(owner, "name", name))  # that of a node, if it is one
 
     def row(self, **_options):
         return self
