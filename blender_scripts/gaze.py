@@ -9,6 +9,7 @@ from pathlib import Path
 import bpy
 from bl_ext.user_default.fovea import gaze
 from bl_ext.user_default.fovea.render import gaze_check
+from bl_ext.user_default.fovea.scene.problem import CannotDraw
 
 sys.path.insert(0, str(Path(__file__).parent))
 
@@ -27,17 +28,21 @@ def main(words):
     draw.set_size(scene, options)
     draw.set_camera(scene, options)
     drawing_settings.set_drawing(scene, options)
-    emphasis = None
-    if asked["strengthen"]:
-        emphasis, checked = gaze_check.strengthen(bpy.context)
-    else:
-        checked = gaze_check.check(bpy.context)
+    emphasis, checked = looked(asked["strengthen"])
     if asked["heat"]:
         gaze.write(checked.gaze, Path(asked["heat"]))
     told, sentence = checked.told, checked.sentence
     if emphasis is not None:
         told, sentence = told | {"emphasis": emphasis}, f"Emphasis {emphasis:.2f}. {sentence}"
     Path(asked["out"]).write_text(json.dumps({"told": told, "sentence": sentence}), encoding="utf-8")
+
+
+def looked(strengthen):
+    """(emphasis, Checked) of the scene; the emphasis is None unless it is to be strengthened."""
+    try:
+        return gaze_check.strengthen(bpy.context) if strengthen else (None, gaze_check.check(bpy.context))
+    except CannotDraw as problem:
+        raise ValueError(str(problem)) from problem
 
 
 if __name__ == "__main__":

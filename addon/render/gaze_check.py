@@ -10,6 +10,8 @@ from .. import gaze, native, style
 from ..scene.problem import CannotDraw
 from . import as_rendered, properties, session
 
+NO_FOCUS = "There is no focus yet: pick one first"
+
 
 @dataclass(frozen=True)
 class Checked:
@@ -40,12 +42,15 @@ def strengthen(context, tell=None):
     def search(drawing):
         now = drawing.chosen.effects.emphasis
         before = drawing.checked()
-        if before.judged is None or before.judged.wins:
+        if before.judged is None:
+            raise CannotDraw(NO_FOCUS)
+        if before.judged.wins:
             return now, before
         emphasis, found = gaze.strengthened(drawing.checked, now, most_emphasis())
         if not found.judged.wins:
-            told = "even with the most emphasis: move the focus there, or let more effects answer to it"
-            raise CannotDraw(f"{found.sentence}, {told}")
+            raise CannotDraw(
+                f"{found.sentence}, even with the most emphasis: let more effects answer to focus, or move it"
+            )
         return emphasis, found
 
     return _looked(context, search, tell)

@@ -21,7 +21,7 @@ class _OfFocus(OfRender):
         if reason := super().hindrance(context):
             return reason
         on = focus_kinds.of(context.scene.fovea).is_on
-        return None if on else "There is no focus yet: pick one first"
+        return None if on else gaze_check.NO_FOCUS
 
     def show(self, context, checked):
         image = image_of(NAME, linear(gaze.heat(checked.gaze)))
@@ -59,11 +59,18 @@ class FOVEA_OT_strengthen_focus(_OfFocus, bpy.types.Operator):
         with progress(context) as tell:
             emphasis, checked = gaze_check.strengthen(context, tell)
         self.show(context, checked)
-        effects = style_data.own(context.scene).effects
-        if emphasis > effects.emphasis:
-            effects.emphasis = emphasis
-            if animation.is_keyed(effects, "emphasis"):
-                effects.keyframe_insert("emphasis")
-            else:
-                focus_places.key(context.scene, effects, "emphasis")
-        self.report({"INFO"}, f"Emphasis {effects.emphasis:.2f}. {checked.sentence}")
+        tree = style_data.of(context.scene)
+        now = tree.fovea.effects if tree else style_data.default().effects
+        if emphasis > now.emphasis:
+            _set(context.scene, emphasis)
+        self.report({"INFO"}, f"Emphasis {emphasis:.2f}. {checked.sentence}")
+
+
+def _set(scene, emphasis):
+    """Sets the emphasis of a scene's style; where it is keyed, at the current frame."""
+    effects = style_data.own(scene).effects
+    effects.emphasis = emphasis
+    if animation.is_keyed(effects, "emphasis"):
+        effects.keyframe_insert("emphasis")
+    else:
+        focus_places.key(scene, effects, "emphasis")

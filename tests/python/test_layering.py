@@ -80,8 +80,9 @@ FOLDERS = "gpu scene focus style render ui".split()
 # `native.load()` gives the native module; other parts get handles from these.
 LOADERS = (
     r"addon/(gpu/\w+|catalogue|comparison(_report)?|curve_fit|gaze|line_arrays|pipeline|scene/api|ui/preferences|"
-    r"style/(__init__|style_picture)|render/(bake_operators|definition_strengths|drawn_lines|gaze_check|gpu_check|line_operators|"
-    r"methods|motion_blur|near_frames|reading|session|vector_settings|vectors|viewport|whole_pictures))\.py"
+    r"style/(__init__|style_picture)|render/(bake_operators|definition_strengths|drawn_lines|gaze_check|gpu_check|"
+    r"line_operators|methods|motion_blur|near_frames|reading|session|vector_settings|vectors|viewport|whole_pictures"
+    r"))\.py"
 )
 
 
