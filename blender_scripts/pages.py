@@ -299,7 +299,7 @@ def compared(name, path):
         everything = slice(None), slice(width // 5, width - width // 5)
         rows.append(pictures.strip(shown, everything))
     made = np.vstack([np.pad(row, ((4, 4), (0, 0)), constant_values=1.0) for row in rows[::-1]])
-    return in_grays(made, FEW_GREYS)
+    return in_grays(made)
 
 
 def animation(name, path):

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fovea/draw/exposure.h>
 
-#include <algorithm>
-
 #include <fovea/base/check.h>
 #include <fovea/base/parallel.h>
 #include <fovea/draw/frame.h>
@@ -22,7 +20,7 @@ void Exposure::add(Frame& moment, double weight) {
     for (auto& [name, sum] : line_sets_) close(sum);
     lines_.last = std::move(moment.passes.lines);
     hidden_.last = std::move(passes.hidden);
-    for (auto& [name, pixels] : passes.line_sets) of_line_set(name).last = std::move(pixels);
+    for (auto& [name, pixels] : passes.line_sets) line_sets_[name].last = std::move(pixels);
     weight_of_last_ = weight;
     weight_ += weight;
 }
@@ -36,7 +34,7 @@ void Exposure::again(double weight) {
 void Exposure::replace(LinePasses& passes) const {
     if (!passes.hidden.empty()) passes.hidden = mean(hidden_);
     for (auto& [name, pixels] : passes.line_sets) {
-        const auto found = std::ranges::find(line_sets_, name, [](const auto& named) { return named.first; });
+        const auto found = line_sets_.find(name);
         pixels = mean(found == line_sets_.end() ? Sum{} : found->second);
     }
 }
@@ -58,11 +56,6 @@ Array<vec4> Exposure::mean(const Sum& sum) const {
         pixels[i] = vec4(total / weight_);
     });
     return pixels;
-}
-
-Exposure::Sum& Exposure::of_line_set(const std::string& name) {
-    const auto found = std::ranges::find(line_sets_, name, [](const auto& named) { return named.first; });
-    return found != line_sets_.end() ? found->second : line_sets_.emplace_back(name, Sum{}).second;
 }
 
 }  // namespace fovea::draw

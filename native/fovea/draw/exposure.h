@@ -2,9 +2,8 @@
 // The ink of moments while a shutter is open, averaged: motion blur of lines.
 #pragma once
 
+#include <map>
 #include <string>
-#include <utility>
-#include <vector>
 
 #include <fovea/draw/line_passes.h>
 
@@ -33,12 +32,11 @@ class Exposure {
     };
     void close(Sum& sum) const;
     Array<vec4> mean(const Sum& sum) const;
-    Sum& of_line_set(const std::string& name);
 
     double weight_ = 0.0, weight_of_last_ = 0.0;
     std::size_t pixels_ = 0;
     Sum lines_, hidden_;
-    std::vector<std::pair<std::string, Sum>> line_sets_;
+    std::map<std::string, Sum> line_sets_;  // by name
 };
 
 }  // namespace fovea::draw

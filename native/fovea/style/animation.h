@@ -57,8 +57,8 @@ struct Animation {
         Field{"vanish", &Animation::vanish, "Come and Go",
               "What lines of meshes do that are seen for a part of that time"},
         Field{"motion_blur", &Animation::motion_blur, "Motion Blur of Lines",
-              "Renders draw lines at several moments while the scene's shutter is open, and average them: it takes as "
-              "many times as long. The scene has motion blur on, too"},
+              "Renders draw lines at several moments while the scene's shutter is open, and average them, where the "
+              "scene has motion blur on, too: it takes up to as many times as long"},
         Field{"motion_samples", &Animation::motion_samples, "Samples", "Number of moments while the shutter is open",
               number(2, 256, 32)}};
 };
