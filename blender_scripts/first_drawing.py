@@ -33,10 +33,15 @@ def steps(folder, output):
 
 
 def smaller(picture):
-    """(H, W, 3) picture at four fifths of its size, each pixel the mean of what it covers."""
-    fine = np.repeat(np.repeat(picture[..., :3], 4, axis=0), 4, axis=1)
-    height, width = (size // 5 for size in fine.shape[:2])
-    return fine[: 5 * height, : 5 * width].reshape(height, 5, width, 5, 3).mean(axis=(1, 3))
+    """(H, W, 3) picture at seven tenths of its size, each pixel the mean of what it covers."""
+    return _fewer(_fewer(picture[..., :3], 0), 1)
+
+
+def _fewer(picture, axis):
+    fine = np.moveaxis(np.repeat(picture, 7, axis=axis), axis, 0)
+    count = len(fine) // 10
+    means = fine[: 10 * count].reshape(count, 10, *fine.shape[1:]).mean(axis=1)
+    return np.moveaxis(means, 0, axis)
 
 
 def opened():

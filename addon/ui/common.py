@@ -10,6 +10,7 @@ from ..scene import followed
 from ..style import style_curves, style_data, style_groups
 
 ENGINE = "FOVEA"
+OF_ITSELF = {"bl_idname", "bl_parent_id", "bl_rna", "__dict__", "__weakref__"}  # members of a panel that no copy has
 HEEDED = {  # member of a pen -> whether it has an effect for a given pen
     "texture_anchor": lambda pen: pen.texture != "solid" or pen.wobble > 0 or _acts(pen, "noise"),
     "length_scale": lambda pen: pen.texture != "solid",
@@ -57,6 +58,13 @@ class FoveaPanel:
         self.layout.use_property_split = True
         self.layout.use_property_decorate = True
         self.show(self.layout, context)
+
+
+def copied(panel, name, **members):
+    """A class of this name with the contents of a registered panel. Not a subclass: registered, it would take the
+    panel's place."""
+    contents = {key: value for key, value in vars(panel).items() if key not in OF_ITSELF}
+    return type(name, panel.__bases__, contents | members)
 
 
 class StylePanel(FoveaPanel):

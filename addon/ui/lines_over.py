@@ -7,7 +7,7 @@ import bpy
 from ..render import lines_over, lines_over_check, lines_scenes
 from ..scene import followed
 from .animation import RENDER_PT_fovea_animation
-from .common import ENGINE, FoveaPanel
+from .common import ENGINE, FoveaPanel, copied
 from .effects import RENDER_PT_fovea_effects
 from .elision import RENDER_PT_fovea_elision
 from .focus import RENDER_PT_fovea_focus
@@ -95,8 +95,13 @@ def _below(panel):
     def fits(cls, context):
         return RENDER_PT_fovea_lines_over.fits(context) and lines_over.is_on(context.scene)
 
-    members = {"bl_parent_id": RENDER_PT_fovea_lines_over.__name__, "fits": classmethod(fits), "__module__": __name__}
-    return type(panel.__name__.replace("fovea_", "fovea_over_"), (panel,), members | {"bl_options": {"DEFAULT_CLOSED"}})
+    return copied(
+        panel,
+        panel.__name__.replace("fovea_", "fovea_over_"),
+        bl_parent_id=RENDER_PT_fovea_lines_over.__name__,
+        bl_options={"DEFAULT_CLOSED"},
+        fits=classmethod(fits),
+    )
 
 
 def register():

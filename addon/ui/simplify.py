@@ -3,21 +3,17 @@
 
 import bpy
 
-from .common import ENGINE
+from .common import ENGINE, copied
 
 PANELS = tuple(f"RENDER_PT_simplify{part}" for part in ("", "_viewport", "_render", "_greasepencil"))
-OWN = {"COMPAT_ENGINES", "bl_parent_id", "bl_rna", "__dict__", "__weakref__"}  # members that are not Blender's panel's
 
 _registered = []
 
 
 def _own(name):
     """A class with the contents of one of Blender's panels, for this engine alone."""
-    panel, parent = getattr(bpy.types, name), PANELS[0]
-    contents = {key: value for key, value in vars(panel).items() if key not in OWN} | {"COMPAT_ENGINES": {ENGINE}}
-    if name != parent:
-        contents["bl_parent_id"] = _renamed(parent)
-    return type(_renamed(name), panel.__bases__, contents)
+    below = {} if name == PANELS[0] else {"bl_parent_id": _renamed(PANELS[0])}
+    return copied(getattr(bpy.types, name), _renamed(name), COMPAT_ENGINES={ENGINE}, **below)
 
 
 def _renamed(name):

@@ -28,6 +28,16 @@ def test_panels_draw_with_the_engine_and_for_a_style(scene):
     assert [cls.bl_label for cls in drawn_panels()] == ["Fovea Lines"]
 
 
+def test_blender_has_every_panel_as_it_was_registered(scene):
+    """A panel that is registered as a subclass of another one takes its place."""
+    names = [name for name in dir(bpy.types) if "_PT_fovea" in name]
+    assert not [name for name in names if not hasattr(getattr(bpy.types, name), "draw")]
+    scene.render.engine = "FOVEA"
+    for name in ("style", "lines", "focus", "effects", "elision", "animation", "vectors"):
+        assert getattr(bpy.types, f"RENDER_PT_fovea_{name}").poll(bpy.context), name
+        assert not getattr(bpy.types, f"RENDER_PT_fovea_over_{name}").poll(bpy.context), name
+
+
 def test_a_style_is_edited_in_the_sidebar_whichever_engine_draws(scene):
     scene.render.engine = "BLENDER_WORKBENCH"
     scene.view_settings.view_transform = "AgX"
