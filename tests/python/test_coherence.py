@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The measures of `fovea bench coherence`, on strokes whose motion is known."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from bench.coherence import PERIOD, measures
@@ -9,14 +11,13 @@ from bench.coherence.strokes import Strokes, divided, mixed, sampled
 PX_OF_UNIT = 50.0  # pixels of a unit of the scene, which is seen from above
 
 
-def lines(*ends, shift=0.0, whole_px=PERIOD, octaves=False):
+def lines(*ends, shift=0.0, whole_px=PERIOD, octaves=False, opacity=1.0):
     """Strokes along y = 0, 1, ... from x0 to x1 each, whose dashes are moved by `shift` pixels."""
     world = np.array([(x, y, 0.0) for y, pair in enumerate(ends) for x in pair], float).reshape(-1, 3)
     offsets = np.arange(0, 2 * len(ends) + 1, 2)
     along = (PX_OF_UNIT * world[:, 0] + shift) / whole_px
-    return Strokes(
-        offsets, PX_OF_UNIT * world[:, :2], world, np.ones(len(world)), along, np.full(len(world), whole_px), octaves
-    )
+    ones = np.ones(len(world))
+    return Strokes(offsets, PX_OF_UNIT * world[:, :2], world, ones, along, whole_px * ones, octaves, opacity * ones)
 
 
 def seen(points, by=0.0):
@@ -101,6 +102,11 @@ def test_ink_where_no_line_is_left_counts_as_gone():
     assert told["popping"] == pytest.approx(measures.INKED / 2, abs=0.02)
 
 
+def test_ink_that_grows_fainter_pops_by_what_it_loses():
+    told = figures(lines((0, 4)), lines((0, 4), opacity=0.75))
+    assert told["popping"] == pytest.approx(measures.INKED / 4, abs=0.01)
+
+
 def test_lines_are_divided_evenly_in_the_image_and_keep_their_points():
     px = np.array([(0, 0), (10, 0), (10, 1), (50, 5), (50, 9)], float)
     offsets, point, t, s = divided(np.array([0, 3, 5]), px, np.array([1.0, 3.0, 1.0, 1.0, 1.0]), 4.0)
@@ -113,8 +119,6 @@ def test_samples_lie_in_the_middles_of_equal_parts_in_the_image_and_in_space():
     strokes = lines((0, 2))
     found = sampled(strokes, 10.0)
     assert found.px[:, 0] == pytest.approx(np.arange(5, 100, 10.0))
-    near = Strokes(
-        strokes.offsets, strokes.px, strokes.world, np.array([1.0, 3.0]), strokes.along, strokes.whole_px, False
-    )
+    near = replace(strokes, depth=np.array([1.0, 3.0]))
     depth = sampled(near, 100.0).depth  # one sample, in the middle of the image
     assert depth == pytest.approx(1.5)  # where 1 / depth is the mean of those of the ends
