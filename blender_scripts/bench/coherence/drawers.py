@@ -20,7 +20,7 @@ REFERENCE = 1080  # pixels of the height that a pen's width is given for
 
 
 class Fovea(renderers.Fovea):
-    def __init__(self, scene, anchor, window):
+    def __init__(self, scene, anchor, window=0):
         super().__init__(scene)
         self.anchor, self.window, self.kept, self.image = anchor, window, None, None
 
