@@ -10,7 +10,7 @@ import bpy
 import numpy as np
 import pytest
 from pictures import drawn_at, drawn_at_once, ink
-from the_addon import add_camera, box_mesh, empty_scene, lines_of, new_object, own_style, part, use_style
+from the_addon import add_camera, box_mesh, empty_scene, grows, lines_of, new_object, own_style, part, use_style
 
 sys.path.insert(0, str(Path(__file__).parents[2] / "blender_scripts"))
 
@@ -58,13 +58,7 @@ def fence():
 def test_a_frame_alone_is_that_of_the_animation_either_way(fence, tmp_path):
     """Also where meshes change their shape, and so their surfaces, from frame to frame."""
     grown = new_object(box_mesh(0.3, "Grown"), "Grown", (0, -3, 0))
-    grown.shape_key_add(name="Basis")
-    tall = grown.shape_key_add(name="Tall")
-    for point in tall.data:
-        point.co.z *= 9
-    for frame, value in ((-4, 0), (10, 1)):
-        tall.value = value
-        tall.keyframe_insert("value", frame=frame)
+    grows(grown, 9, -4, 10)
     alone = drawn_at(fence, 3, tmp_path)
     forwards = drawn_at_once(fence, FRAMES, tmp_path)
     backwards = {frame: drawn_at(fence, frame, tmp_path) for frame in reversed(FRAMES)}

@@ -9,7 +9,18 @@ import numpy as np
 import pytest
 from photographs import photograph, with_lines
 from pictures import drawn_at, drawn_at_once, scene_from_above
-from the_addon import add_camera, box_mesh, lines_of, new_mesh, new_object, only_lines, own_style, part, use_style
+from the_addon import (
+    add_camera,
+    box_mesh,
+    grows,
+    lines_of,
+    new_mesh,
+    new_object,
+    only_lines,
+    own_style,
+    part,
+    use_style,
+)
 
 animation, motion_blur, session = part("scene.animation"), part("render.motion_blur"), part("render.session")
 SIZE, PIXELS, WIDTH = (160, 120), 20, 4  # pixels of a picture, to a unit, of a line
@@ -203,13 +214,7 @@ def moving(**settings):
     add_camera((0, -14, 2), (0, 0, 0))
     new_object(box_mesh(0.5), "Post", (0, 2, 0)).scale.z = 5
     box = new_object(box_mesh(0.5, "Growing"), "Growing", (-1, -2, 0))
-    box.shape_key_add(name="Basis")
-    tall = box.shape_key_add(name="Tall")
-    for point in tall.data:
-        point.co.z *= 4
-    for frame, value in ((-9, 0.0), (11, 1.0)):
-        tall.value = value
-        tall.keyframe_insert("value", frame=frame)
+    grows(box, 4, -9, 11)
     moves(box, "location", 0.4, 0)
     moves(scene.camera, "location", 0.1, 0)
     use_style(scene, "plain")

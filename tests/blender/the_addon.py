@@ -51,6 +51,16 @@ def empty_scene():
     return bpy.context.scene
 
 
+def grows(obj, times, first, last):
+    """Keys a shape of a mesh object: it is as high as it was at the frame `first`, and so many times at `last`."""
+    obj.shape_key_add(name="Basis")
+    tall = obj.shape_key_add(name="Tall")
+    for point in tall.data:
+        point.co.z *= times
+    for tall.value, frame in ((0, first), (1, last)):
+        tall.keyframe_insert("value", frame=frame)
+
+
 def new_object(data, name="Object", location=(0, 0, 0), collection=None):
     obj = bpy.data.objects.new(name, data)
     obj.location = location

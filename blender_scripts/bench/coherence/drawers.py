@@ -136,6 +136,6 @@ def hashed(*arrays):
 
 
 def make(name, scene, anchor, window):
-    return (
-        Fovea(scene, anchor, window) if name == "fovea" else {"line_art": LineArt, "freestyle": Freestyle}[name](scene)
-    )
+    if name == "fovea":
+        return Fovea(scene, anchor, window)
+    return {"line_art": LineArt, "freestyle": Freestyle}[name](scene)
