@@ -16,6 +16,12 @@ if(UNIX AND NOT APPLE)
     add_link_options(-Wl,--gc-sections)
 endif()
 
+# On Linux nothing else is taken of the compiler's own library (the file says why, toolchain.py how).
+if(UNIX AND NOT APPLE)
+    add_library(fovea_wide_integers STATIC ${CMAKE_CURRENT_LIST_DIR}/wide_integers.cpp)
+    link_libraries(fovea_wide_integers)
+endif()
+
 # Warnings of others are not ours, and nothing of theirs is exported.
 add_library(fovea_foreign INTERFACE)
 target_compile_options(fovea_foreign INTERFACE -w -ffp-contract=off)

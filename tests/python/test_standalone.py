@@ -16,6 +16,7 @@ PROJECT = Path(__file__).parents[2]
 BLENDER = os.environ.get("FOVEA_BLENDER")
 CACHE = Path(os.environ.get("FOVEA_STANDALONE", "nowhere"))
 LINUX, WINDOWS, MACOS = (toolchain.PLATFORMS[name] for name in ("linux-x64", "windows-x64", "macos-arm64"))
+COPYING = {"memcpy": "GLIBC_2.14", "memmove": "GLIBC_2.2.5", "memset": "GLIBC_2.2.5"}
 MODULES = [
     pytest.param(platform, python, id=f"{platform.name}-{build.tag(python)}")
     for platform in toolchain.PLATFORMS.values()
@@ -79,7 +80,7 @@ def problems(monkeypatch, platform, **members):
 
 def test_newer_glibc_and_loose_symbols_are_found(monkeypatch):
     imports = {"powf": "GLIBC_2.29", "scalable_malloc": "", "PyList_New": "", "log": "GLIBC_2.28", "f": "GLIBCXX_3.4"}
-    found = problems(monkeypatch, LINUX, exports={"PyInit__native"}, imports=imports)
+    found = problems(monkeypatch, LINUX, exports={"PyInit__native"}, imports=imports | COPYING)
     assert found == [
         "f is taken from a library of version GLIBCXX_3.4",
         "powf is of glibc 2.29, newer than 2.28",
@@ -87,8 +88,14 @@ def test_newer_glibc_and_loose_symbols_are_found(monkeypatch):
     ]
 
 
+def test_linux_modules_copy_memory_by_the_c_library(monkeypatch):
+    imports = {name: version for name, version in COPYING.items() if name != "memset"}
+    found = problems(monkeypatch, LINUX, exports={"PyInit__native"}, imports=imports)
+    assert found == ["its memset is not that of the C library"]
+
+
 def test_symbols_that_are_handed_out_are_found(monkeypatch):
-    found = problems(monkeypatch, LINUX, exports={"PyInit__native", "_Znwm"})
+    found = problems(monkeypatch, LINUX, exports={"PyInit__native", "_Znwm"}, imports=COPYING)
     assert found == ["it hands out _Znwm, which another library may take for its own"]
 
 

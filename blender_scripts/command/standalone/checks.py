@@ -8,6 +8,8 @@ from . import interface
 GLIBC = (2, 28)  # the oldest that Blender itself runs with
 ENTRY = "PyInit__native"
 LINUX = {f"lib{name}" for name in ("c.so.6", "m.so.6", "pthread.so.0", "dl.so.2", "rt.so.1")} | {"ld-linux-x86-64.so.2"}
+# Of the C library, which has them for each processor; a compiler's own are slower (native/standalone/wide_integers.cpp).
+FAST = ("memcpy", "memmove", "memset")
 MACOS = {"/usr/lib/libSystem.B.dylib"}
 MACOS_SYSTEM = (11, 0)
 # Parts of every Windows 10, in lower case: its kernel, and the C runtime that is part of it.
@@ -47,6 +49,9 @@ def _linux(module, _python):
             yield f"{name} is taken from a library of version {version}"
         elif not version and name not in ADDED and not PYTHON.fullmatch(name):
             yield f"{name} would be taken from whatever has it in Blender"
+    for name in FAST:
+        if name not in module.imports:
+            yield f"its {name} is not that of the C library"
 
 
 def _windows(module, python):

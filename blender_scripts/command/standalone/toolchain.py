@@ -26,6 +26,8 @@ class Platform:
     @property
     def cmake_options(self):
         options = [f"-DCMAKE_SYSTEM_NAME={self.system}", f"-DCMAKE_SYSTEM_PROCESSOR={self.processor}"]
+        if self.system == "Linux":  # native/standalone/wide_integers.cpp says why
+            options += [f"-DCMAKE_{kind}_LINKER_FLAGS=-rtlib=none" for kind in ("EXE", "MODULE")]
         if self.system == "Darwin":
             # CMake wants the tool that changes names of installed libraries; nothing is installed.
             options += ["-DCMAKE_INSTALL_NAME_TOOL=:", "-DCMAKE_OSX_DEPLOYMENT_TARGET=", "-DCMAKE_OSX_SYSROOT="]
@@ -55,9 +57,9 @@ sources={sources}
 export ZIG_LIB_DIR="$sources/zig_lib" ZIG_GLOBAL_CACHE_DIR={cache} ZIG_LOCAL_CACHE_DIR={cache}
 exec "$sources/zig/zig" {words} "$@"
 """
-# Zig checks undefined behavior and writes debugging data unless told not to; what it says of missing annotations of
-# headers is about its own.
-COMPILING = "-target {triple} -fno-sanitize=undefined -g0 -Wno-nullability-completeness"
+# Zig checks undefined behavior, writes debugging data and keeps frame pointers unless told not to; what it says of
+# missing annotations of headers is about its own.
+COMPILING = "-target {triple} -fno-sanitize=undefined -g0 -fomit-frame-pointer -Wno-nullability-completeness"
 
 
 def wrappers(folder, sources, cache, platform):

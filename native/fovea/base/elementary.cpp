@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <numbers>
 
@@ -12,6 +14,18 @@ namespace {
 
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// As std::nearbyint, for |x| below 2^51; that is a call of a function for processors without SSE 4.1.
+double nearest_whole(double x) {
+    constexpr double shift = 0x1.8p52;  // between it and its double, doubles are 1 apart
+    return std::copysign((x + shift) - shift, x);
+}
+
+/// As std::ldexp, which is a call of a function: x times 2 to the power of `doublings`, for x from 0.5 to 2.
+double doubled(double x, int doublings) {
+    if (doublings < -1021 || doublings > 1022) return std::ldexp(x, doublings);
+    return x * std::bit_cast<double>(std::uint64_t(doublings + 1023) << 52);
+}
 
 /// Coefficients of a power series, from the lowest one; each is computed by the compiler, exactly rounded.
 template <std::size_t Count>
@@ -42,7 +56,7 @@ struct Turned {
     explicit Turned(double angle) {
         // pi/2 in three parts, of which the first two have 33 bits: their products by the number of turns are exact.
         constexpr double first = 0x1.921fb544p+0, second = 0x1.0b4611a6p-34, third = 0x1.3198a2e037073p-69;
-        const double turns = std::nearbyint(angle * (2.0 / std::numbers::pi));
+        const double turns = nearest_whole(angle * (2.0 / std::numbers::pi));
         quarter = static_cast<int>(static_cast<long long>(turns) & 3);
         rest = ((angle - turns * first) - turns * second) - turns * third;
     }
@@ -77,7 +91,7 @@ double arc_of(double share, double whole) {
                                          0.64350110879328438680,
                                          0.71882999962162450542,
                                          0.78539816339744830962};
-    const double at = std::nearbyint(8.0 * (share / whole)), c = at / 8.0;
+    const double at = nearest_whole(8.0 * (share / whole)), c = at / 8.0;
     return eighths[static_cast<int>(at)] + small_arc((share - c * whole) / (whole + c * share));
 }
 
@@ -130,9 +144,9 @@ double exponential(double x) {
         }
         return result;
     }();
-    const double doublings = std::nearbyint(x * std::numbers::log2e);
+    const double doublings = nearest_whole(x * std::numbers::log2e);
     const double rest = (x - doublings * ln2_high) - doublings * ln2_low;
-    return std::ldexp(series(of, rest), static_cast<int>(doublings));
+    return doubled(series(of, rest), static_cast<int>(doublings));
 }
 
 double logarithm(double x) {

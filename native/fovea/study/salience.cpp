@@ -9,6 +9,7 @@
 #include <fovea/base/elementary.h>
 #include <fovea/base/parallel.h>
 #include <fovea/image/gaussian.h>
+#include <fovea/study/complex_product.h>
 
 namespace fovea::study {
 namespace {
@@ -53,7 +54,7 @@ Plane gabor(const Plane& plane, double angle) {
     Complex row_sum, column_sum;
     for (const Complex& tap : row_taps) row_sum += tap;
     for (const Complex& tap : column_taps) column_sum += tap;
-    const float of_mean = (row_sum * column_sum).real();
+    const float of_mean = product(row_sum, column_sum).real();
 
     const image::Buffer mean = image::gaussian(plane.values, plane.width, plane.height, sigma);
     std::vector<Complex> rows(plane.values.size());
@@ -70,8 +71,8 @@ Plane gabor(const Plane& plane, double angle) {
             Complex sum = -of_mean * mean[i];
             for (int k = -reach; k <= reach; ++k) {
                 const int row = std::clamp(int(y) + k, 0, plane.height - 1);
-                sum += column_taps[std::size_t(k + reach)] *
-                       rows[std::size_t(row) * std::size_t(plane.width) + std::size_t(x)];
+                sum += product(column_taps[std::size_t(k + reach)],
+                               rows[std::size_t(row) * std::size_t(plane.width) + std::size_t(x)]);
             }
             result.values[i] = std::hypot(sum.real(), sum.imag());
         }

@@ -8,6 +8,7 @@
 #include <fovea/base/elementary.h>
 #include <fovea/base/parallel.h>
 #include <fovea/image/gaussian.h>
+#include <fovea/study/complex_product.h>
 #include <fovea/study/salience.h>
 
 namespace fovea::study {
@@ -33,7 +34,7 @@ Spectrum transformed_rows(const Spectrum& of, int width, int height, double sign
         for (std::size_t y = 0; y < std::size_t(height); ++y) {
             Complex sum;
             for (std::size_t x = 0; x < std::size_t(width); ++x)
-                sum += of[y * std::size_t(width) + x] * waves[u * x % std::size_t(width)];
+                sum += product(of[y * std::size_t(width) + x], waves[u * x % std::size_t(width)]);
             found[u * std::size_t(height) + y] = sum;
         }
     });
