@@ -17,8 +17,8 @@ NATIVE = (
     "color draw vector study"
 ).split()
 
-# What uses the core: each includes itself and all of the core.
-USERS = ("bindings", "tool")
+# What stands beside the core: each includes itself and, but for what belongs to a compiler, all of the core.
+USERS = ("bindings", "tool", "standalone")
 
 # Header -> where it may be included.
 LIBRARIES = {
