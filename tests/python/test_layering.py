@@ -17,7 +17,7 @@ NATIVE = (
     "color draw vector study"
 ).split()
 
-# What stands beside the core: each includes itself and, but for what belongs to a compiler, all of the core.
+# What stands beside the core: each includes itself and all of the core.
 USERS = ("bindings", "tool", "standalone")
 
 # Header -> where it may be included.
