@@ -32,7 +32,7 @@ GRAY, PAPER = (0.7, 0.7, 0.7), (1.0, 1.0, 1.0)  # of shaded pictures
 
 def main(words):
     asked = json.loads(words[0])
-    options = draw_options.parse(asked["draw"])
+    options = draw_options.parse([*asked["draw"], "--style", "plain"])
     scene_source.open_scene(options.scene)
     scene = bpy.context.scene
     draw.set_size(scene, options)

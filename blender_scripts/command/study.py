@@ -8,6 +8,7 @@ import json
 import os
 import re
 import shutil
+import tempfile
 import tomllib
 from pathlib import Path
 
@@ -30,14 +31,14 @@ def study(target, words):
 def parse(words):
     parser = argparse.ArgumentParser("fovea study", usage=argparse.SUPPRESS)
     parts = parser.add_subparsers(dest="what", required=True)
-    made = parts.add_parser("make", usage=argparse.SUPPRESS)
+    made = parts.add_parser("make", usage=argparse.SUPPRESS, allow_abbrev=False)
     made.add_argument("scene", help="what `fovea draw` draws")
     made.add_argument("--styles", type=lambda text: text.split(","), required=True, metavar="A,B")
     made.add_argument("--gauges", type=_count, default=90, metavar="N")
     made.add_argument("--size", type=quantities.frame_size, default=SIZE, metavar="WxH")
     made.add_argument("--seed", type=_seed, default=0, metavar="N", help="other places")
     made.add_argument("-o", "--output", type=_path, required=True, metavar="FOLDER")
-    analysed = parts.add_parser("analyse", usage=argparse.SUPPRESS)
+    analysed = parts.add_parser("analyse", usage=argparse.SUPPRESS, allow_abbrev=False)
     analysed.add_argument("folder", type=_path)
     analysed.add_argument("--json", action="store_true")
     analysed.add_argument("-o", "--output", type=_path, metavar="REPORT.html")
@@ -57,13 +58,15 @@ def _check_made(options, rest):
     if len(set(options.names.values())) < len(options.styles):
         raise ValueError("--styles: two have the same name: people would not be told apart by what they saw")
     width, height = options.size
-    options.draw = [options.scene, "--size", f"{width}x{height}", *rest, "-o", str(options.output / "drawing.png")]
+    drawing = Path(tempfile.gettempdir(), "drawing.png")  # is not written
+    options.draw = [options.scene, "--size", f"{width}x{height}", *rest, "-o", str(drawing)]
     folder = options.output
+    if not folder.parent.is_dir():
+        raise ValueError(f"there is no folder {folder.parent}")
     if folder.exists() and (not folder.is_dir() or any(folder.iterdir())):
         raise ValueError(f"{folder} is not empty: name a new folder, as settings belong to the pictures they are of")
-    folder.mkdir(parents=True, exist_ok=True)
     drawn = draw_options.parse(options.draw)
-    for name in ("style", "frames", "cameras", "over", "sheet", "dump", "one_bit", "transparent"):
+    for name in ("style", "frames", "cameras", "over", "sheet", "dump", "one_bit"):
         if getattr(drawn, name) and (name != "style" or "--style" in rest):
             raise ValueError(
                 f"--{name.replace('_', '-')} is for fovea draw: a study has one picture for each of --styles"
@@ -109,8 +112,9 @@ def make(target, options):
             actions.check_style(target, style)
     extension.install(target)
     folder = options.output
+    folder.mkdir(exist_ok=True)
     work = Path(os.environ["TMPDIR"], "study")
-    work.mkdir()
+    work.mkdir()  # until all is done, the folder has nothing of it
     pictures = {name: work / f"{name}.png" for name in options.names.values()}
     asked = {
         "out": str(work / "found.json"), "draw": options.draw, "gauges": options.gauges, "seed": options.seed,

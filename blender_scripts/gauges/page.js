@@ -39,9 +39,9 @@ class Drawn {
 // Calls turned(dx, dy), pixels of the picture from a place, while the pointer is dragged.
 function onDrag(svg, place, turned) {
     const at = event => {
-        const box = svg.getBoundingClientRect(), view = svg.viewBox.baseVal, [x, y] = place();
-        turned((event.clientX - box.left) * view.width / box.width - x,
-               (event.clientY - box.top) * view.height / box.height - y);
+        const to = new DOMPoint(event.clientX, event.clientY).matrixTransform(svg.getScreenCTM().inverse());
+        const [x, y] = place();
+        turned(to.x - x, to.y - y);
     };
     let held = null;
     svg.onpointerdown = event => {
@@ -180,6 +180,7 @@ document.addEventListener("keydown", event => {
     event.preventDefault();
     keys[event.key]();
 });
+document.addEventListener("click", () => document.activeElement?.blur()); // or space would press a button again
 addExamples();
 const known = notes.read();
 if (!known.participant || known.session >= sets(STUDY.gauges.length).length) newParticipant();

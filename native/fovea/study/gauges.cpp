@@ -73,22 +73,26 @@ bool continues(const Seen& a, const Seen& b, double pixel) {
 /// Whether all within a radius is one surface; neighbors are a pixel apart, along rows and columns.
 bool is_one(const Looker& looker, const dvec2& middle, double radius) {
     const int reach = int(std::ceil(radius)), side = 2 * reach + 1;
-    std::vector<std::optional<Seen>> seen(std::size_t(side) * std::size_t(side));
-    const auto at = [&](int x, int y) -> auto& {
+    const Seen outside{none, dvec3(0.0), dvec3(0.0)};
+    std::vector<Seen> seen(std::size_t(side) * std::size_t(side), outside);
+    const auto at = [&](int x, int y) -> Seen& {
         return seen[std::size_t(y + reach) * std::size_t(side) + std::size_t(x + reach)];
     };
     for (int y = -reach; y <= reach; ++y)
         for (int x = -reach; x <= reach; ++x) {
             if (std::hypot(x, y) > radius) continue;
-            at(x, y) = looker.at(middle + dvec2(x, y));
-            if (!at(x, y)) return false;
+            const auto here = looker.at(middle + dvec2(x, y));
+            if (!here) return false;
+            at(x, y) = *here;
         }
-    const double pixel = looker.pixel(middle, -at(0, 0)->place.z);
+    const double pixel = looker.pixel(middle, -at(0, 0).place.z);
+    const auto breaks = [&](const Seen& a, const Seen& b) {
+        return a.placement != none && b.placement != none && !continues(a, b, pixel);
+    };
     for (int y = -reach; y <= reach; ++y)
         for (int x = -reach; x <= reach; ++x) {
-            if (!at(x, y)) continue;
-            if (x < reach && at(x + 1, y) && !continues(*at(x, y), *at(x + 1, y), pixel)) return false;
-            if (y < reach && at(x, y + 1) && !continues(*at(x, y), *at(x, y + 1), pixel)) return false;
+            if (x < reach && breaks(at(x, y), at(x + 1, y))) return false;
+            if (y < reach && breaks(at(x, y), at(x, y + 1))) return false;
         }
     return true;
 }
