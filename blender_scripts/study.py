@@ -48,6 +48,7 @@ def main(words):
 
 def render(scene, options, path, shaded):
     """Renders a picture in a style, or in gray, shaded by the lamps of Workbench's studio."""
+    world = scene.world
     if shaded:
         over.set_engine(scene, "workbench")
         shading = scene.display.shading
@@ -58,6 +59,7 @@ def render(scene, options, path, shaded):
     else:
         drawing_settings.set_drawing(scene, options)
     picture.render(scene, Path(path))
+    scene.world = world
 
 
 def gauges(scene, count, seed):

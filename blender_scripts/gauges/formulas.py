@@ -23,6 +23,14 @@ def ellipse(n, radius):
     return radius, radius * n[2], angle, (PIN * radius * n[0], PIN * radius * n[1])
 
 
+def lines(n, radius):
+    """(disc (k, 2), pin (2, 2)) of a gauge as polylines from its middle, y up."""
+    major, minor, angle, pin = ellipse(n, radius)
+    turn = np.linspace(0, 2 * np.pi, 65)[:, None]
+    narrow, wide = (math.cos(angle), math.sin(angle)), (-math.sin(angle), math.cos(angle))
+    return major * np.cos(turn) * wide + minor * np.sin(turn) * narrow, np.array([(0.0, 0.0), pin])
+
+
 def dragged(offset, radius):
     """(3,) normal that a pointer makes which is dragged so far (x, y) from the middle, y up."""
     far = min(math.hypot(*offset) / (2 * radius), 1.0)

@@ -63,7 +63,7 @@ def read_sessions(study):
     session each time. ValueError, which names the file and line, where one cannot be read."""
     found = {}
     for path in sorted(study.folder.glob("*.jsonl")):
-        for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), start=1):
+        for number, line in enumerate(path.read_bytes().splitlines(), start=1):
             if line.strip():
                 try:
                     session, which, setting = _setting(study, line)
@@ -87,8 +87,11 @@ def _setting(study, line):
     n = np.array(told["n"], np.float64)
     if n.shape != (3,) or not n[2] > 0 or not math.isclose(np.linalg.norm(n), 1, abs_tol=1e-3):
         raise ValueError(f"n is no unit vector towards the viewer: {told['n']}")
+    seconds = float(told["ms"]) / 1000
+    if not math.isfinite(seconds):
+        raise ValueError(f"ms is no time: {told['ms']}")
     session = str(told["participant"]), int(told["session"]), style
-    return session, (gauge, repeat), (n / np.linalg.norm(n), float(told["ms"]) / 1000)
+    return session, (gauge, repeat), (n / np.linalg.norm(n), seconds)
 
 
 def _session(key, settings):

@@ -96,7 +96,9 @@ def test_a_shaded_picture_is_gray_and_follows_the_surface(scene, tmp_path):
     bpy.data.objects["Wall"].hide_render = True
     options = draw_options.parse(["suzanne:1", "-o", str(tmp_path / "drawing.png")])
     study.draw.set_output(scene, options)
+    world = scene.world
     study.render(scene, options, tmp_path / "shaded.png", True)
+    assert scene.world == world, "colors of drawings depend on it"
     colors = picture.pixels(tmp_path / "shaded.png")[..., :3]
     assert np.ptp(colors, axis=2).max() < 0.05 and colors[:4, :4].min() > 0.98
     middle, below = colors[96, 128].mean(), colors[66, 128].mean()

@@ -65,6 +65,13 @@ def test_a_gauge_that_is_dragged_leans_to_the_pointer_and_its_ellipse_tells_its_
         assert slant == pytest.approx(math.asin(min(math.hypot(x, y) / 40, 1)) * 88 / 90)
 
 
+def test_the_disc_that_is_drawn_is_the_projection_of_one_with_the_normal():
+    n = formulas.normal(0.9, 2.2)
+    disc, pin = formulas.lines(n, 20)
+    height = -(disc @ n[:2]) / n[2]  # of the disc's points before the picture
+    assert np.hypot(np.hypot(*disc.T), height) == pytest.approx(20) and np.allclose(pin, [(0, 0), 24 * n[:2]])
+
+
 def test_halton_numbers_are_digits_in_reverse():
     assert formulas.halton(1, 7, 2).tolist() == [1 / 2, 1 / 4, 3 / 4, 1 / 8, 5 / 8, 3 / 8, 7 / 8]
     assert formulas.halton(1, 4, 3) == pytest.approx([1 / 3, 2 / 3, 1 / 9, 4 / 9])
@@ -237,6 +244,9 @@ def test_files_that_are_saved_twice_count_once(tmp_path):
         ({"n": [0, 0, -1]}, "no unit vector"),
         ({"n": [0, 0, float("nan")]}, "no unit vector"),
         ({"n": None}, "no unit vector|not whole"),
+        ({"n": [0, 1]}, "no unit vector"),
+        ({"ms": float("inf")}, "ms is no time"),
+        ({"participant": None, "session": "x"}, "take the file away"),
     ],
 )
 def test_a_line_that_is_not_of_the_study_is_named(change, told, tmp_path):
@@ -246,6 +256,13 @@ def test_a_line_that_is_not_of_the_study_is_named(change, told, tmp_path):
     lines[3] = json.dumps(json.loads(lines[3]) | change)
     (made.folder / "a-0.jsonl").write_text("\n".join(lines))
     with pytest.raises(ValueError, match=f"a-0.jsonl, line 4: .*({told})"):
+        records.read_sessions(made)
+
+
+def test_a_file_that_is_no_text_is_named(tmp_path):
+    made = study(tmp_path)
+    (made.folder / "a.jsonl").write_bytes(b"\xff\xfe\x00\n")
+    with pytest.raises(ValueError, match="a.jsonl, line 1: .*take the file away"):
         records.read_sessions(made)
 
 
