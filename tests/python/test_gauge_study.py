@@ -8,39 +8,11 @@ import math
 
 import numpy as np
 import pytest
+from gauge_people import ball, save, study
 from gauges import analysis, formulas, observers, rank_sum, records
 from native_core import core
 
 RELIEF = core.BasRelief(0.7, (0.1, -0.05))
-GAUGES = 90
-
-
-def ball(random, count):
-    """(count, 3) normals of a ball at places that are spread evenly over its picture."""
-    far, turn = 0.97 * np.sqrt(random.random(count)), 2 * np.pi * random.random(count)
-    return np.stack([far * np.cos(turn), far * np.sin(turn), np.sqrt(1 - far**2)], axis=1)
-
-
-def study(tmp_path, styles=("pencil", "shaded"), count=GAUGES):
-    random = np.random.default_rng(5)
-    stimuli = [{"style": style, "file": f"{style}.png", "sha256": style * 3} for style in styles]
-    places = random.random((count, 2)) * (1024, 768)
-    gauges = [{"x": x, "y": y, "n": list(n)} for (x, y), n in zip(places, ball(random, count))]
-    told = {"study": "test", "model": "ball", "size": [1024, 768], "radius": 20, "stimuli": stimuli, "gauges": gauges}
-    (tmp_path / records.STUDY).write_text(json.dumps(told))
-    return records.read_study(tmp_path)
-
-
-def save(made, participant, style, settings_of, part=0):
-    """Writes a session of one participant, a set of gauges twice. `settings_of(truth)`: normals (n, 3)."""
-    numbers = np.arange(len(made.truth))[formulas.sets(len(made.truth))[part]]
-    lines = []
-    for repeat in (0, 1):
-        for order, (gauge, n) in enumerate(zip(numbers, settings_of(made.truth[numbers]))):
-            line = {"study": made.name, "stimulus": made.stimuli[style]["sha256"], "style": style, "n": list(n)}
-            line |= {"participant": participant, "session": part, "gauge": int(gauge), "repeat": repeat, "ms": 4000}
-            lines.append(json.dumps(line | {"order": order}))
-    (made.folder / f"{participant}-{part}.jsonl").write_text("\n".join(lines) + "\n")
 
 
 def session(settings_of, truth):
@@ -225,50 +197,3 @@ def test_an_analysis_tells_styles_apart_and_who_was_refused(tmp_path):
     (compared,) = told["p_values"]
     assert compared["styles"] == ["pencil", "shaded"] and compared["by_setting"] < 1e-4
     assert compared["by_session"] < 0.05
-
-
-def test_files_that_are_saved_twice_count_once(tmp_path):
-    made = study(tmp_path)
-    save(made, "a", "pencil", lambda n: n)
-    (made.folder / "again.jsonl").write_text((made.folder / "a-0.jsonl").read_text())
-    (one,) = records.read_sessions(made)
-    assert len(one.gauge) == 60
-
-
-@pytest.mark.parametrize(
-    "change, told",
-    [
-        ({"study": "other"}, "of another study, other"),
-        ({"stimulus": "x"}, "another picture than this study's 'pencil'"),
-        ({"gauge": 90}, "no gauge 90"),
-        ({"n": [0, 0, -1]}, "no unit vector"),
-        ({"n": [0, 0, float("nan")]}, "no unit vector"),
-        ({"n": None}, "no unit vector|not whole"),
-        ({"n": [0, 1]}, "no unit vector"),
-        ({"ms": float("inf")}, "ms is no time"),
-        ({"participant": None, "session": "x"}, "take the file away"),
-    ],
-)
-def test_a_line_that_is_not_of_the_study_is_named(change, told, tmp_path):
-    made = study(tmp_path)
-    save(made, "a", "pencil", lambda n: n)
-    lines = (made.folder / "a-0.jsonl").read_text().splitlines()
-    lines[3] = json.dumps(json.loads(lines[3]) | change)
-    (made.folder / "a-0.jsonl").write_text("\n".join(lines))
-    with pytest.raises(ValueError, match=f"a-0.jsonl, line 4: .*({told})"):
-        records.read_sessions(made)
-
-
-def test_a_file_that_is_no_text_is_named(tmp_path):
-    made = study(tmp_path)
-    (made.folder / "a.jsonl").write_bytes(b"\xff\xfe\x00\n")
-    with pytest.raises(ValueError, match="a.jsonl, line 1: .*take the file away"):
-        records.read_sessions(made)
-
-
-def test_a_folder_without_a_study_is_refused(tmp_path):
-    with pytest.raises(ValueError, match="name a folder that `fovea study make` wrote"):
-        records.read_study(tmp_path)
-    (tmp_path / records.STUDY).write_text("{}")
-    with pytest.raises(ValueError, match="make the study again"):
-        records.read_study(tmp_path)
