@@ -1883,4 +1883,34 @@ class Salience:
     def share(self, weights: Annotated[ArrayLike, numpy.float32]) -> float:
         """Share of all salience that lies where weights (H, W), 0 to 1, say."""
 
+class BasRelief:
+    """A surface with its depth scaled and sheared along the view."""
+    def __init__(self, depth: float=1.0, slope: Annotated[Sequence[float], 'FixedSize(2)']=(0.0, 0.0)) -> None: ...
+    least_depth: ClassVar[float]
+    most_depth: ClassVar[float]
+    @staticmethod
+    def fitted(normals: Annotated[ArrayLike, numpy.float64], onto: Annotated[ArrayLike, numpy.float64]) -> BasRelief:
+        """The one that turns unit normals (n, 3) nearest to others, by the mean angle."""
+    @property
+    def depth(self) -> float: ...
+    @property
+    def slope(self) -> Annotated[list[float], 'FixedSize(2)']: ...
+    def of_normals(self, normals: Annotated[ArrayLike, numpy.float64]) -> NDArray[numpy.float64]:
+        """(n, 3) unit normals of the relief of (n, 3) of a surface."""
+    def inverse(self) -> BasRelief:
+        """The one that undoes it."""
+
+class GaugePlaces:
+    """What is seen at places of a picture; see native/fovea/study/gauges.h."""
+    @property
+    def placement(self) -> NDArray[numpy.uint32]:
+        """(N,) uint32; 0xffffffff: not one surface, without creases and steps"""
+    @property
+    def normal(self) -> NDArray[numpy.float64]:
+        """(N, 3) float64 as gauges show it: x to the right, y up, z towards the viewer"""
+    @staticmethod
+    def of(tracer: Tracer, px: Annotated[ArrayLike, numpy.float64], radius: float) -> GaugePlaces:
+        """Of what a Tracer sees at (n, 2) pixels from the lower left; radius [px]: all within it is to be one
+        surface."""
+
 notes: dict

@@ -25,10 +25,12 @@ import over
 import picture
 import scene_source
 import sheet
+import study
 from bench import coherence
 from bench.coherence import drawers, motions, pictures
 from command import draw_options, pages, quantities
 from command.target import SHARED
+from gauges import formulas
 from scenes import lessons
 
 FAINT = {"pen.width": 2.8, "pen.color": (0.4, 0.4, 0.4), "pen.taper": 0.0}
@@ -36,6 +38,7 @@ BOLD = {"pen.width": 7.5, "pen.color": (0.0, 0.0, 0.0), "pen.taper": 0.0, "pen.s
 GREYS, FEW_GREYS = 16, 6  # gray levels: fewer give smaller files, and the pages are part of the extension
 EYE = np.array((0.13, -0.3, 0.09))  # of the monkey, in its widths
 WEIGHTS = 64  # steps of a painted vertex group
+GAUGE_COLOR = 0.0, 0.6, 0.0
 
 
 def main(words):
@@ -241,6 +244,25 @@ def heat(name, path):
     return gaze.heat(gaze_check.check(bpy.context).gaze) / 255
 
 
+def gauged(name, path):
+    """(H, W, 3) drawing of a model with gauges that lie on its surface, supersampled by 2."""
+    model, shown = pages.GAUGE[name]
+    open_model(model)
+    scene = set_up(shown, pages.GAUGE_SIZE, path)
+    found = study.gauges(scene, pages.GAUGES, 0)["gauges"]
+    picture.render(scene, path)
+    drawn = picture.pixels(path)[..., :3].copy()
+    height, width = drawn.shape[:2]
+    lines = []
+    for gauge in found:
+        disc, pin = formulas.lines(np.array(gauge["n"]), formulas.RADIUS * height)
+        lines += [(gauge["x"], height - gauge["y"]) + line for line in (disc, pin)]
+    offsets = np.cumsum([0, *map(len, lines)])
+    gauges = native.load().Bitmap.of_lines(np.concatenate(lines).astype(np.float32), offsets, width, height)
+    drawn[gauges.distances() <= 1.5] = GAUGE_COLOR
+    return halved(drawn)
+
+
 def plot(name, path):
     """(N, N) plot of a transfer function over focus: grid lines at quarters in gray, the curve in black."""
     transfer = style.Transfer(**pages.TRANSFERS[name])
@@ -310,7 +332,7 @@ def animation(name, path):
 DRAWN_BY = {
     "lines": line, "sections": section, "way": stage, "focus": stage, "strokes": stroke, "painted": painted,
     "situations": situation, "over": over_render, "transfers": plot, "grease_pencil": pencil, "animation": animation,
-    "compare": overlay, "gaze": heat, "vectors": of_file, "farm": frames,
+    "compare": overlay, "gaze": heat, "gauge": gauged, "vectors": of_file, "farm": frames,
 }  # fmt: skip
 
 

@@ -235,11 +235,18 @@ GAZE = {  # heat map -> what of the office it is of
     for name, emphasis in (("before", 1.0), ("strengthened", 2.74))
 }
 
+GAUGE_SIZE, GAUGES = "480x360", 40
+GAUGE = {  # picture with true gauges -> its model, and how that is drawn
+    name: (MONKEY[0], Stage((*MONKEY[1], "--style", "plain", "--lines", lines), {"pen.width": 4.0}))
+    for name, lines in (("drawn", "contour,ridge,valley,suggestive_contour"),)
+}
+
 # Name -> {picture: its description}; each group is a folder of addon/docs.
 GROUPS = {
     "lines": LINES, "sections": SECTIONS, "way": WAY, "focus": FOCUS, "strokes": STROKES, "painted": PAINTED,
     "situations": SITUATIONS, "over": OVER, "transfers": TRANSFERS, "grease_pencil": GREASE_PENCIL,
     "animation": ANIMATION | FOLLOWING | COMPARED, "compare": COMPARE, "gaze": GAZE,
+    "gauge": GAUGE,
     "vectors": VECTORS | TITLED, "farm": FARM,
 }  # fmt: skip
 

@@ -1,0 +1,174 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""`fovea study make SCENE` and `fovea study analyse FOLDER`: whether drawings show the shape of what is drawn, by
+gauges that people set on them; in Blender only to make the pictures."""
+
+import argparse
+import hashlib
+import json
+import os
+import re
+import shutil
+import tempfile
+import tomllib
+from pathlib import Path
+
+from gauges import analysis, formulas, page, records, report
+
+from . import actions, draw_options, output, quantities
+from . import package as extension
+from .target import PROJECT
+
+SIZE = 1024, 768
+SHADED = "shaded"  # a picture that is no drawing, to compare drawings with
+PAGE = "study.html"
+
+
+def study(target, words):
+    options = parse(words)
+    return {"make": make, "analyse": analyse}[options.what](target, options)
+
+
+def parse(words):
+    parser = argparse.ArgumentParser("fovea study", usage=argparse.SUPPRESS)
+    parts = parser.add_subparsers(dest="what", required=True)
+    made = parts.add_parser("make", usage=argparse.SUPPRESS, allow_abbrev=False)
+    made.add_argument("scene", help="what `fovea draw` draws")
+    made.add_argument("--styles", type=lambda text: text.split(","), required=True, metavar="A,B")
+    made.add_argument("--gauges", type=_count, default=90, metavar="N")
+    made.add_argument("--size", type=quantities.frame_size, default=SIZE, metavar="WxH")
+    made.add_argument("--seed", type=_seed, default=0, metavar="N", help="other places")
+    made.add_argument("-o", "--output", type=_path, required=True, metavar="FOLDER")
+    analysed = parts.add_parser("analyse", usage=argparse.SUPPRESS, allow_abbrev=False)
+    analysed.add_argument("folder", type=_path)
+    analysed.add_argument("--json", action="store_true")
+    analysed.add_argument("-o", "--output", type=_path, metavar="REPORT.html")
+    options, rest = parser.parse_known_args(words)
+    try:
+        if options.what == "make":
+            _check_made(options, rest)
+        else:
+            _check_analysed(options, rest)
+    except ValueError as error:
+        parser.error(str(error))
+    return options
+
+
+def _check_made(options, rest):
+    options.names = {style: _name_of(style) for style in options.styles}
+    if len(set(options.names.values())) < len(options.styles):
+        raise ValueError("--styles: two have the same name: people would not be told apart by what they saw")
+    width, height = options.size
+    drawing = Path(tempfile.gettempdir(), "drawing.png")  # is not written
+    options.draw = [options.scene, "--size", f"{width}x{height}", *rest, "-o", str(drawing)]
+    folder = options.output
+    if not folder.parent.is_dir():
+        raise ValueError(f"there is no folder {folder.parent}")
+    if folder.exists() and (not folder.is_dir() or any(folder.iterdir())):
+        raise ValueError(f"{folder} is not empty: name a new folder, as settings belong to the pictures they are of")
+    drawn = draw_options.parse(options.draw)
+    for name in ("style", "frames", "cameras", "over", "sheet", "dump", "one_bit"):
+        if getattr(drawn, name) and (name != "style" or "--style" in rest):
+            raise ValueError(
+                f"--{name.replace('_', '-')} is for fovea draw: a study has one picture for each of --styles"
+            )
+
+
+def _name_of(style):
+    name = Path(style).stem if style.endswith(".json") else style
+    if not re.fullmatch(r"[\w-]+", name):
+        raise ValueError(f"--styles: '{style}' is no name of letters and digits, nor a .json file of such a name")
+    return name
+
+
+def _check_analysed(options, rest):
+    if rest:
+        raise ValueError(f"{' '.join(rest)}: analyse takes a folder, --json and -o REPORT.html")
+    if options.output and options.output.suffix.lower() != ".html":
+        raise ValueError(f"-o: a report is a .html, not {options.output.name}")
+    if options.output:
+        output.check(options.output)
+
+
+def _path(text):
+    return Path(text).absolute()
+
+
+def _count(text):
+    count = int(text) if text.isdecimal() else 0
+    if not 3 <= count <= 1000:
+        raise argparse.ArgumentTypeError(f"'{text}' is not a number of gauges from 3 to 1000")
+    return count
+
+
+def _seed(text):
+    if not text.isdecimal() or int(text) > 9999:
+        raise argparse.ArgumentTypeError(f"'{text}' is not a whole number from 0 to 9999")
+    return int(text)
+
+
+def make(target, options):
+    for style in options.styles:
+        if style != SHADED:
+            actions.check_style(target, style)
+    extension.install(target)
+    folder = options.output
+    folder.mkdir(exist_ok=True)
+    work = Path(os.environ["TMPDIR"], "study")
+    work.mkdir()  # until all is done, the folder has nothing of it
+    pictures = {name: work / f"{name}.png" for name in options.names.values()}
+    asked = {
+        "out": str(work / "found.json"), "draw": options.draw, "gauges": options.gauges, "seed": options.seed,
+        "shaded": SHADED, "pictures": {name: str(path) for name, path in pictures.items()},
+        "styles": {name: [] if style == SHADED else ["--style", style] for style, name in options.names.items()},
+    }  # fmt: skip
+    script = PROJECT / "blender_scripts" / "study.py"
+    actions.in_blender(target, f"drawing {options.scene} for a study", script, [json.dumps(asked)])
+    found = json.loads((work / "found.json").read_text())
+    told = described(options, found, {name: path.read_bytes() for name, path in pictures.items()})
+    for name, path in pictures.items():
+        with output.written(folder / f"{name}.png") as fresh:
+            shutil.copyfile(path, fresh)
+    _write(folder / PAGE, page.page(told, {name: path.read_bytes() for name, path in pictures.items()}))
+    _write(folder / records.STUDY, json.dumps(told, indent=1))
+    for path in (*(folder / f"{name}.png" for name in pictures), folder / records.STUDY, folder / PAGE):
+        print(path)
+    return 0
+
+
+def described(options, found, pictures):
+    """What study.json has. `found`: what the script in Blender tells; `pictures`: {style: bytes of its PNG file}."""
+    version = tomllib.loads((PROJECT / "addon" / "blender_manifest.toml").read_text(encoding="utf-8"))["version"]
+    scene = Path(options.scene).stem if draw_options.is_file(options.scene) else options.scene.replace(":", "-")
+    told = {
+        "study": "", "build": f"Fovea {version}, Blender {found['blender']}", "model": scene,
+        "size": list(options.size), "radius": formulas.RADIUS * options.size[1], "seed": options.seed,
+        "tried": found["tried"], "draw": options.draw[:-2],
+        "stimuli": [
+            {"style": name, "file": f"{name}.png", "sha256": hashlib.sha256(content).hexdigest()}
+            for name, content in pictures.items()
+        ],
+        "gauges": found["gauges"],
+    }  # fmt: skip
+    told["study"] = hashlib.sha256(json.dumps(told).encode()).hexdigest()[:12]
+    return told
+
+
+def _write(path, text):
+    with output.written(path) as fresh:
+        fresh.write_text(text, encoding="utf-8")
+
+
+def analyse(target, options):
+    core = actions.imported(target, "native").load()
+    made = records.read_study(options.folder)
+    sessions = records.read_sessions(made)
+    if not sessions:
+        raise ValueError(f"{options.folder} has no settings: put the .jsonl files there that participants have saved")
+    found = analysis.analyse(core, made, sessions)
+    told = analysis.told(found)
+    print(json.dumps(told) if options.json else report.text(told))
+    if options.output:
+        _write(options.output, report.page(found, told))
+        if not options.json:
+            print(options.output)
+    return 0
