@@ -1,8 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # The Python module from the headers in FOVEA_SOURCES, or else FOVEA_PYTHON_HEADERS, for each Python of FOVEA_PYTHONS
 # ("3.11;3.13"), none of which need be there: cp311/_native.so and so on. Sets `modules`, their targets.
-if(FOVEA_LINKER)
-    # In place of the compiler's own for macOS (linker.py says why), with its own words.
+if(FOVEA_LINKER AND NOT APPLE)
+    # In place of the compiler (linker.py says why), with the same words.
+    string(REPLACE "<CMAKE_CXX_COMPILER>" "${FOVEA_LINKER}" CMAKE_CXX_CREATE_SHARED_MODULE
+                   "${CMAKE_CXX_CREATE_SHARED_MODULE}")
+elseif(FOVEA_LINKER)
     set(CMAKE_CXX_CREATE_SHARED_MODULE "${FOVEA_LINKER} -bundle -exported_symbol _PyInit__native \
 -undefined dynamic_lookup -dead_strip -S -x -o <TARGET> <OBJECTS> <LINK_LIBRARIES>")
 endif()

@@ -97,8 +97,7 @@ def _build(target, platform, goals):
         own = suites_headers(target) if platform.system == "Linux" else {}
         options = [*tools, *_options(platform, source, (*toolchain.PYTHONS, *own))]
         options += [f"-DFOVEA_PYTHON_HEADERS={target.work / 'headers'}"] if own else []
-        if platform.system == "Darwin":
-            options.append(linker.option(target, source, platform))
+        options.append(linker.option(target, source, platform))
         _configure(target, platform, folder, options)
         if platform.system == "Windows":
             for python in toolchain.PYTHONS:

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The linker of macOS modules: LLVM's, with the C++ runtime that zig has built. Zig's own for macOS knows no list of
-exports, and has the system put other libraries' functions and tables of C++ in the place of the module's."""
+"""The linkers of modules. For macOS it is LLVM's, with the C++ runtime that zig has built: zig's own there knows no list
+of exports, and has the system put other libraries' functions and tables of C++ in the place of the module's. For others
+it is zig's, told to keep one of functions that have the same code, a twentieth of a module."""
 
 import re
 import shlex
@@ -18,8 +19,33 @@ exec {words} "$@" {libraries}
 """
 
 
+# Zig takes no such word, but says how it links. In its words paths are not quoted: one with a space stays as it is.
+FOLDING = """#!/bin/sh
+# zig {digest}
+said=$(ZIG_VERBOSE_LINK=1 {compiler} "$@" 2>&1) || {{ printf '%s\\n' "$said" >&2; exit 1; }}
+case $PWD{sources} in *" "*) exit 0 ;; esac
+words=$(printf '%s\\n' "$said" | grep '^{linker} ' | tail -n 1)
+[ -n "$words" ] || {{ echo "zig did not say how it links: $said" >&2; exit 1; }}
+exec {sources}/zig/zig $words {fold}
+"""
+FOLD = {"Linux": ("ld.lld", "--icf=safe"), "Windows": ("lld-link", "-OPT:SAFEICF")}
+
+
 def option(target, sources, platform):
     """The option that tells CMake of the linker for a platform, which is made where it is not there yet."""
+    make = _of_llvm if platform.system == "Darwin" else _folding
+    return f"-DFOVEA_LINKER={make(target, sources, platform)}"
+
+
+def _folding(target, sources, platform):
+    folder = target.work / "compilers" / platform.name
+    linker, fold = FOLD[platform.system]
+    words = {"compiler": shlex.quote(str(folder / "c++")), "sources": shlex.quote(str(sources))}
+    text = FOLDING.format(digest=sources.name, linker=linker, fold=fold, **words)
+    return _written(folder / "ld", text)
+
+
+def _of_llvm(target, sources, platform):
     program, version = installed()
     folder = target.work / "compilers" / platform.name
     runtime = [folder / "runtime" / name for name in RUNTIME]
@@ -30,9 +56,16 @@ def option(target, sources, platform):
     file = folder / "ld"
     if not (file.exists() and file.read_text() == text and all(library.exists() for library in runtime)):
         _copy_runtime(target, folder, runtime)
+        _written(file, text)
+    return file
+
+
+def _written(file, text):
+    """A program of this text, which is written where it is another one."""
+    if not (file.exists() and file.read_text() == text):
         file.write_text(text)
         file.chmod(file.stat().st_mode | stat.S_IXUSR | stat.S_IXGRP | stat.S_IXOTH)
-    return f"-DFOVEA_LINKER={file}"
+    return file
 
 
 def installed():
