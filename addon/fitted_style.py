@@ -16,6 +16,7 @@ THRESHOLDS = "threshold", "angle"  # parameters that say how strong a line has t
 LEAST, MOST = 0.05, 20.0  # times a threshold's default
 STEP, FINE_STEP = 1.5, 1.05  # factors between thresholds that are tried
 LEAST_IN_IMAGE, STEPS_IN_IMAGE = 0.02, 8  # of definitions in the image, each of whose drawings takes long
+OUTLINES = "contour", "border"  # what is in every drawing
 NOTHING = (
     "no lines of the scene are near to the drawing: look at both by fovea compare, register a scan, or allow a larger "
     "tolerance"
@@ -60,9 +61,9 @@ def style_with(base, thresholds):
     return base.replace(line_sets=tuple(line_set.replace(kinds=k) for line_set, k in zip(held, kinds)))
 
 
-def lines_of(base, name, threshold):
-    """A Style of a definition's visible lines alone, none of them thinned out."""
-    alone = style_with(base, {name: threshold})
+def _alone(base, thresholds):
+    """A Style of the visible lines of definitions alone, none of them thinned out."""
+    alone = style_with(base, thresholds)
     sets = tuple(line_set.replace(hidden=()) for line_set in alone.line_sets)
     return alone.replace(line_sets=sets, elision=style.Elision())
 
@@ -70,11 +71,10 @@ def lines_of(base, name, threshold):
 def fit(draw, size, names, base, judge_of, tolerance=None, beta=1.0):
     """The Fitted of the definitions `names` and the Style `base`. draw(style): (px, offsets) of what it draws in a
     frame of (width, height) pixels. judge_of(reference): the Bitmap of the artist's drawing; reference() is that of
-    the definitions as `base` has them, or with their defaults, for registration. `tolerance` [px], usual where None is
-    given; `beta`: above 1 rather complete than clean. ValueError if nothing that can be drawn is near to the drawing.
-    """
+    the scene's OUTLINES, for registration. `tolerance` [px], usual where None is given; `beta`: above 1 rather complete
+    than clean. ValueError if nothing that can be drawn is near to the drawing."""
     core, ladders = native.load(), [_Ladder(draw, base, name) for name in names]
-    judge = judge_of(lambda: _together(ladders, size))
+    judge = judge_of(lambda: core.Bitmap.of_lines(*draw(_alone(base, dict.fromkeys(OUTLINES, ON))), *size))
     tolerance = judge.usual_tolerance if tolerance is None else tolerance
     how = {"judge": judge, "tolerance": tolerance, "beta": beta}
     usual = [ladder.usual for ladder in ladders]
@@ -107,7 +107,7 @@ class _Ladder:
     in or not, or the default."""
 
     def __init__(self, draw, base, name):
-        self.name, self.draw, self.style_at = name, draw, lambda threshold: lines_of(base, name, threshold)
+        self.name, self.draw, self.style_at = name, draw, lambda threshold: _alone(base, {name: threshold})
         self.parameter, self.in_image = threshold_of(name), catalogue.by_name()[name]["in_image"]
         own = [line_set.kinds[name] for line_set in base.line_sets if name in line_set.kinds]
         self.in_base, self.usual = bool(own), ON
@@ -177,11 +177,6 @@ def _joined(parts):
     starts = np.cumsum([0, *(len(px) for px, _ in parts)])
     offsets = [offsets[1:] + start for (_, offsets), start in zip(parts, starts)]
     return np.concatenate([px for px, _ in parts]), np.concatenate([[0], *offsets]).astype(np.int64)
-
-
-def _together(ladders, size):
-    """The Bitmap of definitions as they usually are."""
-    return native.load().Bitmap.of_lines(*_joined(ladder.at(ladder.usual) for ladder in ladders), *size)
 
 
 def _pruned(made):

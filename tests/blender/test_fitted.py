@@ -8,6 +8,7 @@ from the_addon import part
 
 comparison, fitted_style, native, style = (part(name) for name in ("comparison", "fitted_style", "native", "style"))
 problem, style_fit = part("scene.problem"), part("render.style_fit")
+as_rendered, definition_strengths = part("render.as_rendered"), part("render.definition_strengths")
 SIZE = 960, 720
 NAMES = "contour", "crease", "ridge", "valley"
 ARTIST = {"contour": 1.0, "ridge": 0.6, "valley": 0.3}
@@ -35,15 +36,12 @@ def monkey():
 
 def drawing(base, thresholds):
     """The Bitmap of what a Style draws of definitions with thresholds."""
-    asked = []
+    wanted = fitted_style.style_with(base, thresholds)
 
-    def judge_of(reference):
-        asked.append(reference())
-        return asked[-1]
+    def take(engine, depsgraph):
+        return native.load().Bitmap.of_lines(*style_fit.drawer(engine, depsgraph, wanted)(wanted), *SIZE)
 
-    own = fitted_style.style_with(base, thresholds)
-    style_fit.fit(bpy.context, SIZE, tuple(thresholds), own, judge_of, 1.0)
-    return asked[0]
+    return as_rendered.look(bpy.context, take, definition_strengths.prepared(SIZE))
 
 
 def fitted(base, judge, names=NAMES):

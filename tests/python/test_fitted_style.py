@@ -12,6 +12,7 @@ from addon import fitted_style, style
 
 SIZE = 320, 240
 NAMES = "contour", "crease", "ridge", "valley", "suggestive_contour"
+ROWS = *NAMES, "border"
 PLAIN = style.load("plain")
 ARTIST = {"contour": 1.0, "crease": 50.0, "ridge": 0.3, "valley": 0.17}
 
@@ -22,7 +23,7 @@ def rows(name):
     default = parameter["default"] if parameter else 1.0
     strengths = default * np.geomspace(0.06, 5.9, 40) if parameter else np.full(40, np.inf)
     number = np.arange(40)
-    x, y = 10 + 30 * (number % 10), 10 + 8 * NAMES.index(name) + 50 * (number // 10)
+    x, y = 10 + 30 * (number % 10), 10 + 8 * ROWS.index(name) + 50 * (number // 10)
     return np.stack([np.stack([x, y], 1), np.stack([x + 12, y], 1)], 1).astype(np.float32), strengths
 
 
@@ -98,7 +99,7 @@ def test_what_is_nowhere_near_is_refused_in_a_sentence():
         fitted(core.Bitmap(far))
 
 
-def test_a_scan_is_registered_to_the_lines_of_the_style():
+def test_a_scan_is_registered_to_outlines():
     asked = []
 
     def judge_of(reference):
@@ -106,7 +107,7 @@ def test_a_scan_is_registered_to_the_lines_of_the_style():
         return drawing(ARTIST)
 
     fitted_style.fit(draw, SIZE, ("ridge", "crease"), PLAIN, judge_of, 2.0)
-    assert asked[0].measures(drawing({"ridge": 0.5, "crease": 30.0}), 0.0)["f1"] == 1.0
+    assert asked[0].measures(drawing(dict.fromkeys(fitted_style.OUTLINES, 1.0)), 0.0)["f1"] == 1.0
 
 
 def test_words_and_figures_of_the_command(tmp_path, capsys):
