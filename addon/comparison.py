@@ -109,6 +109,12 @@ def of_drawings(drawings, tolerance=None, register=None):
     return Compared(tuple(drawing.name for drawing in drawings), a, judges, compare(a, judges, tolerance))
 
 
+def frame_for(drawing, frame, register=None):
+    """The (width, height) of a frame that a Drawing is compared in: its own, or that of the scene, `frame`, where it
+    has none or is registered."""
+    return frame if register or not drawing.size else drawing.size
+
+
 def judge_of(drawing, size, register=None, tolerance=None):
     """A function of reference(), a Bitmap of (width, height) pixels, that gives the Bitmap of a Drawing over it:
     registered to it by one of REGISTERED, or, without it, as it is."""

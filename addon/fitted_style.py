@@ -16,6 +16,8 @@ THRESHOLDS = "threshold", "angle"  # parameters that say how strong a line has t
 LEAST, MOST = 0.05, 20.0  # times a threshold's default
 STEP, FINE_STEP = 1.5, 1.05  # factors between thresholds that are tried
 LEAST_IN_IMAGE, STEPS_IN_IMAGE = 0.02, 8  # of definitions in the image, each of whose drawings takes long
+# What is fitted where no lines are named: what artists draw.
+NAMES = "contour", "crease", "border", "intersection", "ridge", "valley", "suggestive_contour", "apparent_ridge"
 OUTLINES = "contour", "border"  # what is in every drawing
 NOTHING = (
     "no lines of the scene are near to the drawing: look at both by fovea compare, register a scan, or allow a larger "

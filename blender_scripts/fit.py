@@ -7,7 +7,7 @@ import time
 from pathlib import Path
 
 import bpy
-from bl_ext.user_default.fovea import catalogue, comparison, style
+from bl_ext.user_default.fovea import catalogue, comparison, fitted_style, style
 from bl_ext.user_default.fovea.render import style_fit
 from bl_ext.user_default.fovea.scene.problem import CannotDraw
 from bl_ext.user_default.fovea.style import style_files
@@ -19,29 +19,17 @@ import ending
 import scene_source
 from command import draw_options, fit
 
-# What is fitted where no lines are named: what artists draw that surfaces say, as the first style has it.
-NAMES = (
-    "contour",
-    "crease",
-    "border",
-    "intersection",
-    "ridge",
-    "valley",
-    "suggestive_contour",
-    "apparent_ridge",
-)
-
 
 def main(words):
     options, start = fit.parse(words[1:]), time.perf_counter()
     drawing, base = comparison.read(options.drawing), style.named(options.style)
-    names = catalogue.named(options.lines) if options.lines else NAMES
+    names = catalogue.named(options.lines) if options.lines else fitted_style.NAMES
     scene_source.open_scene(options.scene)
     of_draw = draw_options.parse([options.scene])
     scene = bpy.context.scene
     draw.set_size(scene, of_draw)
     draw.set_camera(scene, of_draw)
-    size = frame_size(scene.render) if options.register or not drawing.size else drawing.size
+    size = comparison.frame_for(drawing, style_fit.frame_size(scene.render), options.register)
     judge_of = comparison.judge_of(drawing, size, options.register, options.tolerance)
     seen_by = scene_source.seen_by(options.camera)
     opened = time.perf_counter()
@@ -60,12 +48,6 @@ def main(words):
         "seconds": {"scene": opened - start, "drawing": found.seconds, "fitting": end - opened - found.seconds},
     }
     Path(words[0]).write_text(json.dumps(told), encoding="utf-8")
-
-
-def frame_size(render):
-    """(width, height) of a picture of the scene."""
-    share = render.resolution_percentage / 100
-    return tuple(max(1, int(share * side)) for side in (render.resolution_x, render.resolution_y))
 
 
 if __name__ == "__main__":

@@ -8,6 +8,7 @@ from the_addon import part
 
 comparison, fitted_style, native, style = (part(name) for name in ("comparison", "fitted_style", "native", "style"))
 problem, style_fit = part("scene.problem"), part("render.style_fit")
+style_read = part("style.style_read")
 as_rendered, definition_strengths = part("render.as_rendered"), part("render.definition_strengths")
 SIZE = 960, 720
 NAMES = "contour", "crease", "ridge", "valley"
@@ -80,3 +81,23 @@ def test_a_scene_without_surfaces_is_refused_in_a_sentence(monkey):
         bpy.data.objects.remove(obj)
     with pytest.raises(problem.CannotDraw, match="nothing that has lines"):
         fitted(style.load("plain"), native.load().Bitmap(np.ones(SIZE[::-1], np.uint8)))
+
+
+def test_a_scene_gets_a_new_style_as_it_is_drawn_and_keeps_an_edited_one(monkey, tmp_path):
+    monkey.render.resolution_x, monkey.render.resolution_y = SIZE
+    bpy.ops.fovea.style_new(style="plain")
+    before = monkey.fovea.style
+    before.fovea.line_sets[0].pen.width = 4.5
+    base = style_read.read(before)
+    picture = 255 * (1 - drawing(base, ARTIST).pixels[..., None].repeat(3, 2))
+    (tmp_path / "artist.png").write_bytes(native.load().png_bytes(picture.astype(np.uint8)))
+    assert bpy.ops.fovea.fit_style(filepath=str(tmp_path / "artist.png"), tolerance=2.0) == {"FINISHED"}
+    made = style_read.read(monkey.fovea.style)
+    assert monkey.fovea.style.name == "Fitted from artist" and before.name in bpy.data.node_groups
+    assert {name for line_set in made.line_sets for name in line_set.kinds} == set(ARTIST)
+    assert made.line_sets[0].kinds["ridge"]["threshold"] == pytest.approx(ARTIST["ridge"], rel=0.1)
+    assert made.line_sets[0].pen.width == 4.5
+    (tmp_path / "empty.png").write_bytes(b"no")
+    with pytest.raises(RuntimeError, match=r"empty\.png: PNG"):
+        bpy.ops.fovea.fit_style(filepath=str(tmp_path / "empty.png"))
+    assert monkey.fovea.style.name == "Fitted from artist"
