@@ -209,10 +209,13 @@ TEST(FittedThresholds, OfThresholdsThatAreAsGoodTheMiddleIsTaken) {
     for (int i = 0; i < 40; ++i) draw_row(one[0], 20, 10 + 2 * i, 12 + 2 * i, 0.1f * std::pow(1.05f, float(i)));
     // Weaker ones are all near, and stronger ones leave a gap that the tolerance bridges: up to a factor of 1.05^9.
     const Bitmap artist = one[0].above(0.0f);
-    const FitOptions options{.tolerance = 18.0, .cost = 0.0, .slack = 1e-6};
-    const Fit found = fitted(one, artist, Thresholds{0.1f}, options);
-    EXPECT_NEAR(found.thresholds[0], 0.1 * std::pow(1.05, 4.5), 0.1 * std::pow(1.05, 4.5) * 0.03);
+    const auto at = [](double steps) { return 0.1 * std::pow(1.05, steps); };
+    const Fit found = fitted(one, artist, Thresholds{0.1f}, {.tolerance = 18.0, .cost = 0.0, .slack = 1e-6});
+    EXPECT_NEAR(found.thresholds[0], at(4.5), 0.03 * at(4.5));
     EXPECT_EQ(found.f(1.0), 1.0);
+    // Each further step leaves out a fortieth of the drawing; three of them cost 0.039.
+    const Fit rough = fitted(one, artist, Thresholds{0.1f}, {.tolerance = 18.0, .cost = 0.0, .slack = 0.05});
+    EXPECT_NEAR(rough.thresholds[0], at(6.0), 0.01 * at(6.0));
 }
 
 TEST(FittedThresholds, NothingFitsAnEmptyDrawingAndNoLinesDrawNothing) {

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <random>
 
 #include <fovea/base/check.h>
@@ -167,17 +166,16 @@ class Search {
         return {without, std::move(at)};
     }
 
-    /// Scores of a definition at each of its levels, the last one of which is off; all others fixed.
+    /// Scores with a definition at each of its levels, the last one of which is off; all others fixed, and their costs
+    /// left out.
     std::vector<double> scores(std::size_t d) const {
         const auto [without, at] = parts(d);
-        std::size_t others = 0;
-        for (std::size_t e = 0; e < all.definitions; ++e) others += e != d && levels[e] < all.off(e);
         std::vector<double> found(all.off(d) + 1, 0.0);
         Sums sums = without;
-        found[all.off(d)] = score(sums, others);
+        found[all.off(d)] = score(sums, 0);
         for (Level level = all.off(d) - 1; level > 0; --level) {
             sums.add(at[level]);
-            found[level] = score(sums, others + 1);
+            found[level] = score(sums, 1);
         }
         return found;
     }
@@ -245,21 +243,21 @@ double Fit::f(double beta) const { return f_measure(precision, recall, beta); }
 Fit fitted(const std::vector<Strengths>& definitions, const Bitmap& judge, In<float> first, const FitOptions& options) {
     check(options.tolerance >= 0.0 && options.beta > 0.0, "a fit: the tolerance is below 0, or beta is not above it");
     const Evidence all = evidence_of(definitions, judge, options.tolerance);
-    std::vector<std::vector<Level>> starts{levels_from(all, first)};
-    starts.push_back(levels_from(all, std::vector<float>(all.definitions, no_threshold)));
-    for (int seed = 1; seed <= options.starts; ++seed) starts.push_back(random_levels(all, seed));
-    std::vector<std::optional<Search>> searches(starts.size());
-    std::vector<double> scores(starts.size());
-    parallel_for(starts.size(), 1, [&](std::size_t i) {
-        searches[i].emplace(all, options, starts[i]);
-        searches[i]->run();
-        scores[i] = searches[i]->found().score;
+    std::vector<Search> searches;
+    searches.reserve(std::size_t(options.starts) + 2);
+    searches.emplace_back(all, options, levels_from(all, first));
+    searches.emplace_back(all, options, levels_from(all, std::vector<float>(all.definitions, no_threshold)));
+    for (int seed = 1; seed <= options.starts; ++seed) searches.emplace_back(all, options, random_levels(all, seed));
+    std::vector<double> scores(searches.size());
+    parallel_for(searches.size(), 1, [&](std::size_t i) {
+        searches[i].run();
+        scores[i] = searches[i].found().score;
     });
     std::size_t best = 0;
     for (std::size_t i = 1; i < scores.size(); ++i)
         if (scores[i] > scores[best] + equal) best = i;
-    searches[best]->to_the_middle();
-    return searches[best]->found();
+    searches[best].to_the_middle();
+    return searches[best].found();
 }
 
 Fit judged(const std::vector<Strengths>& definitions, const Bitmap& judge, In<float> thresholds,
