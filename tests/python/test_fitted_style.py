@@ -131,3 +131,23 @@ def test_words_and_figures_of_the_command(tmp_path, capsys):
     text = fit.told(found | {"thresholds": {"contour": True, "crease": 47.25, "ridge": None}})
     assert [line.split()[-1] for line in text.splitlines()[1:]] == ["on", "47.25", "off", "a.json"]
     json.dumps(found, allow_nan=False)
+
+
+def test_hidden_lines_and_line_thinning_are_left_out_of_the_fit_and_stay_in_the_style():
+    sets = tuple(line_set.replace(hidden=(style.Hidden(),)) for line_set in PLAIN.line_sets)
+    base, seen = PLAIN.replace(line_sets=sets, elision=style.Elision(enabled=True)), []
+
+    def drawn(wanted):
+        seen.append(wanted)
+        return draw(wanted)
+
+    found = fitted_style.fit(drawn, SIZE, ("contour", "ridge"), base, lambda _: drawing({"ridge": 0.3}), 2.0)
+    assert not any(wanted.elision.enabled or line_set.hidden for wanted in seen for line_set in wanted.line_sets)
+    assert found.style.elision.enabled and found.style.line_sets[0].hidden == sets[0].hidden
+    assert found.drawings == len(seen)
+
+
+def test_every_definition_that_has_a_least_strength_has_a_threshold():
+    named = {name: fitted_style.threshold_of(name) for name in fitted_style.catalogue.by_name()}
+    assert named["crease"]["name"] == "angle" and named["image_edge"]["name"] == "threshold"
+    assert {name for name, threshold in named.items() if threshold is None} >= {"contour", "section_hatch", "isophote"}
