@@ -1863,6 +1863,26 @@ class Strengths:
         """The PrecisionRecall of these lines, with the Bitmap of lines that are drawn in any case, judged by another
         one."""
 
+def fitted(
+    definitions: Sequence[Strengths],
+    judge: Bitmap,
+    thresholds: Annotated[ArrayLike, numpy.float32],
+    tolerance: float,
+    beta: float=1.0,
+) -> dict:
+    """{thresholds: (D,) float32, infinite for what is not drawn, precision, recall, f1, score} with which the Strengths
+    of D definitions draw what is most like the Bitmap `judge`. `thresholds`: to start from; `tolerance` [px]; see
+    native/fovea/study/fit.h."""
+
+def judged(
+    definitions: Sequence[Strengths],
+    judge: Bitmap,
+    thresholds: Annotated[ArrayLike, numpy.float32],
+    tolerance: float,
+    beta: float=1.0,
+) -> dict:
+    """The same of the given thresholds."""
+
 class Salience:
     """How far places of a picture stand out of the rest."""
     usual_diagonal: ClassVar[float]

@@ -109,6 +109,25 @@ def of_drawings(drawings, tolerance=None, register=None):
     return Compared(tuple(drawing.name for drawing in drawings), a, judges, compare(a, judges, tolerance))
 
 
+def frame_for(drawing, frame, register=None):
+    """The (width, height) of a frame that a Drawing is compared in: its own, or that of the scene, `frame`, where it
+    has none or is registered."""
+    return frame if register or not drawing.size else drawing.size
+
+
+def judge_of(drawing, size, register=None, tolerance=None):
+    """A function of reference(), a Bitmap of (width, height) pixels, that gives the Bitmap of a Drawing over it:
+    registered to it by one of REGISTERED, or, without it, as it is."""
+
+    def judge(reference):
+        if not register:
+            return drawing.bitmap(size)
+        over = reference()
+        return REGISTERED[register](drawing, over, over.usual_tolerance if tolerance is None else tolerance)
+
+    return judge
+
+
 def _bitmaps(drawings):
     """The native Bitmaps of Drawings, all of one size. ValueError if their sizes differ."""
     sizes = {drawing.size: drawing.name for drawing in drawings if drawing.size}

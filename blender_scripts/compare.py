@@ -10,6 +10,7 @@ from pathlib import Path
 import bpy
 from bl_ext.user_default.fovea import catalogue, comparison, comparison_report, explained_lines
 from bl_ext.user_default.fovea.render import definition_strengths
+from bl_ext.user_default.fovea.scene.problem import CannotDraw
 
 sys.path.insert(0, str(Path(__file__).parent))
 
@@ -30,13 +31,12 @@ def main(words):
     scene_source.open_scene(options.scene)
     scene = bpy.context.scene
     draw.set_camera(scene, draw_options.parse([options.scene, "--size", f"{width}x{height}"]))
-    seen_by = None
-    if options.camera:
-        seen_by = scene.objects.get(options.camera)
-        if seen_by is None:
-            raise ValueError(f"--camera {options.camera}: there is no such object in the scene")
+    seen_by = scene_source.seen_by(options.camera)
     names = catalogue.named(options.lines) if options.lines else NAMES
-    of_scene = definition_strengths.found(bpy.context, (width, height), names, *OUTLINES, seen_by)
+    try:
+        of_scene = definition_strengths.found(bpy.context, (width, height), names, *OUTLINES, seen_by)
+    except CannotDraw as problem:
+        raise ValueError(str(problem)) from problem
     explained = explained_lines.explain(*of_scene, compared.judges, compared.found["tolerance_px"])
     compared = replace(compared, found=compared.found | {"definitions": explained})
     if options.output:

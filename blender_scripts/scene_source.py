@@ -26,6 +26,16 @@ def open_scene(spec):
         scenes.build(spec, SHARED if SHARED.is_dir() else None)
 
 
+def seen_by(name):
+    """The object of --camera; None without one. ValueError if there is none of the name."""
+    if not name:
+        return None
+    found = bpy.context.scene.objects.get(name)
+    if found is None:
+        raise ValueError(f"--camera {name}: there is no such object in the scene")
+    return found
+
+
 def import_model(path):
     """Imports a model with Blender's own importer, up axis and scale as it sets them. ValueError if this Blender has
     none for such files, or it imports nothing."""

@@ -19,6 +19,13 @@ def found(context, size, names, outer, contours, seen_by=None):
     """(definitions, outer, contours) of a final render of the context's frame and view layer with (width, height)
     pixels, as explained_lines.explain takes them. `names`: of the definitions; `outer`, `contours`: those of which the
     other two are. `seen_by`: an object, None: the scene's camera."""
+    return as_rendered.look(
+        context, partial(_of_render, names=names, outlines=(outer, contours)), prepared(size, seen_by)
+    )
+
+
+def prepared(size, seen_by=None):
+    """What as_rendered.look is to do with a scene for a frame of (width, height) pixels, seen by an object."""
 
     def prepare(made):
         render = made.render
@@ -27,7 +34,7 @@ def found(context, size, names, outer, contours, seen_by=None):
         if seen_by:
             as_rendered.see_from(seen_by, made)
 
-    return as_rendered.look(context, partial(_of_render, names=names, outlines=(outer, contours)), prepare)
+    return prepare
 
 
 def _of_render(engine, depsgraph, names, outlines):

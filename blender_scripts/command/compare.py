@@ -56,13 +56,15 @@ def write_sheet(target, options):
 
 def parse(words):
     parser = argparse.ArgumentParser("fovea compare", usage=argparse.SUPPRESS)
-    parser.add_argument("drawing", type=_file, metavar="A")
-    parser.add_argument("judges", type=_file, nargs="*", metavar="B", help="drawings that A is judged by")
+    parser.add_argument("drawing", type=model_files.file, metavar="A")
+    parser.add_argument("judges", type=model_files.file, nargs="*", metavar="B", help="drawings that A is judged by")
     far = quantities.within(0, 1e4, "pixels")
     parser.add_argument("--tolerance", type=far, metavar="PX", help="what counts as near (0.42 %% of the diagonal)")
     by = ("lines", "marks")
     parser.add_argument("--register", choices=by, help="PNGs among B are scans, registered to A by that")
-    parser.add_argument("--scene", help="NAME[:N], MODEL or FILE.blend: how its line definitions explain B")
+    parser.add_argument(
+        "--scene", type=model_files.scene, help="NAME[:N], MODEL or FILE.blend: how its line definitions explain B"
+    )
     parser.add_argument("--camera", metavar="NAME", help="of the scene")
     parser.add_argument("--lines", type=lambda text: text.split(","), metavar="A,B", help="line definitions")
     parser.add_argument("-o", "--output", type=_output, metavar="OUT.html|OUT.png", help="report, or overlay")
@@ -78,16 +80,7 @@ def parse(words):
         parser.error(f"-o: a report is one of {', '.join(REPORTS)}, not {options.output.name}")
     if (options.camera or options.lines) and not options.scene:
         parser.error("--camera and --lines go with --scene")
-    if options.scene and (model_files.is_blend(options.scene) or model_files.is_model(options.scene)):
-        _file(options.scene)
     return options
-
-
-def _file(text):
-    path = Path(text).absolute()
-    if not path.is_file():
-        raise argparse.ArgumentTypeError(f"there is no file {text}")
-    return path
 
 
 def _output(text):

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The model files that `fovea draw` takes: all that Blender imports as surfaces."""
+"""The model files that `fovea draw` takes: all that Blender imports as surfaces; and words of commands that name
+files."""
 
+import argparse
 from pathlib import Path
 
 # Suffix -> Blender's operators for it; the first that a Blender has imports the file, with its axes and its scale.
@@ -34,3 +36,18 @@ def is_blend(spec):
 def suffix(spec):
     """In lower case, as files from Windows have .OBJ and .FBX."""
     return Path(spec).suffix.lower()
+
+
+def file(text):
+    """The Path of a file that a word of a command names, and that has to be there."""
+    path = Path(text).absolute()
+    if not path.is_file():
+        raise argparse.ArgumentTypeError(f"there is no file {text}")
+    return path
+
+
+def scene(text):
+    """A word that names a scene: a file that is there, or NAME[:N]."""
+    if is_blend(text) or is_model(text):
+        file(text)
+    return text

@@ -2,6 +2,7 @@
 // Comparing drawings: scans and lines as sets of pixels.
 #include <glm/gtc/type_ptr.hpp>
 
+#include <fovea/study/fit.h>
 #include <fovea/study/measures.h>
 #include <fovea/study/nearest_pixel.h>
 #include <fovea/study/precision_recall.h>
@@ -171,6 +172,33 @@ void bind_strengths(py::module_& m) {
             "another one.");
 }
 
+py::dict told(const study::Fit& fit) {
+    return py::dict(py::arg("thresholds") = to_numpy(Array<float>(fit.thresholds)),
+                    py::arg("precision") = fit.precision, py::arg("recall") = fit.recall, py::arg("f1") = fit.f(1.0),
+                    py::arg("score") = fit.score);
+}
+
+using Fitting = study::Fit (*)(const std::vector<study::Strengths>&, const Bitmap&, In<float>,
+                               const study::FitOptions&);
+
+template <Fitting fit>
+py::dict fit_of(const std::vector<study::Strengths>& definitions, const Bitmap& judge, const Arg<float>& thresholds,
+                double tolerance, double beta) {
+    const In<float> given = borrow<float>(thresholds, "thresholds");
+    const study::FitOptions options{.tolerance = tolerance, .beta = beta};
+    return told(without_gil([&] { return fit(definitions, judge, given, options); }));
+}
+
+void bind_fit(py::module_& m) {
+    m.def("fitted", &fit_of<study::fitted>, py::arg("definitions"), py::arg("judge"), py::arg("thresholds"),
+          py::arg("tolerance"), py::arg("beta") = 1.0,
+          "{thresholds: (D,) float32, infinite for what is not drawn, precision, recall, f1, score} with which the "
+          "Strengths of D definitions draw what is most like the Bitmap `judge`. `thresholds`: to start from; "
+          "`tolerance` [px]; see native/fovea/study/fit.h.");
+    m.def("judged", &fit_of<study::judged>, py::arg("definitions"), py::arg("judge"), py::arg("thresholds"),
+          py::arg("tolerance"), py::arg("beta") = 1.0, "The same of the given thresholds.");
+}
+
 }  // namespace
 
 void bind_study(py::module_& m) {
@@ -211,6 +239,7 @@ void bind_study(py::module_& m) {
              "boundary that is within the tolerance [px]}, by their lines; None if one is empty.");
     bind_gray(m);
     bind_strengths(m);
+    bind_fit(m);
 }
 
 }  // namespace fovea::bindings

@@ -66,6 +66,7 @@ MODULES = {
     "svg_drawing": "",
     "comparison_report": "files native",
     "explained_lines": "",
+    "fitted_style": "catalogue native style",
     "gaze": "files heat_map native",
     "heat_map": "",
     "still_life": "",
@@ -79,9 +80,9 @@ FOLDERS = "gpu scene focus style render ui".split()
 
 # `native.load()` gives the native module; other parts get handles from these.
 LOADERS = (
-    r"addon/(gpu/\w+|catalogue|comparison(_report)?|curve_fit|gaze|line_arrays|pipeline|scene/api|ui/preferences|"
+    r"addon/(gpu/\w+|catalogue|comparison(_report)?|curve_fit|fitted_style|gaze|line_arrays|pipeline|scene/api|ui/preferences|"
     r"style/(__init__|style_picture)|render/(bake_operators|definition_strengths|drawn_lines|gaze_check|gpu_check|"
-    r"line_operators|methods|motion_blur|near_frames|reading|session|vector_settings|vectors|viewport|whole_pictures"
+    r"line_operators|methods|motion_blur|near_frames|reading|session|style_fit|vector_settings|vectors|viewport|whole_pictures"
     r"))\.py"
 )
 

@@ -14,19 +14,24 @@ constexpr float in_any_case = std::numeric_limits<float>::infinity();
 constexpr float never = -1.0f;
 constexpr int parts_of_area = 500;
 
-/// For each pixel of the judge the most strength within the tolerance; `never` where there is none.
-Array<float> reached(const Strengths& strengths, const Bitmap& judge, double tolerance) {
-    const int reach = int(std::floor(tolerance));
-    const Array<Index> pixels =
-        parallel_collect<Index>(judge.set.size(), 1 << 16, [&](auto begin, auto end, auto& out) {
-            for (std::size_t i = begin; i < end; ++i)
-                if (judge.set[i]) out.push_back(Index(i));
-        });
+double share(std::size_t of, std::size_t all) { return all ? double(of) / double(all) : 1.0; }
+
+}  // namespace
+
+Array<Index> pixels_in(const Bitmap& bitmap) {
+    return parallel_collect<Index>(bitmap.set.size(), 1 << 16, [&](auto begin, auto end, auto& out) {
+        for (std::size_t i = begin; i < end; ++i)
+            if (bitmap.set[i]) out.push_back(Index(i));
+    });
+}
+
+Array<float> most_near(const Strengths& strengths, In<Index> pixels, double distance) {
+    const int reach = int(std::floor(distance));
     return parallel_map<float>(pixels.size(), [&](std::size_t p) {
         const int width = strengths.width, x = int(pixels[p] % Index(width)), y = int(pixels[p] / Index(width));
         float most = never;
         for (int dy = std::max(-reach, -y); dy <= std::min(reach, strengths.height - 1 - y); ++dy) {
-            const int half = int(std::floor(std::sqrt(tolerance * tolerance - double(dy) * dy)));
+            const int half = int(std::floor(std::sqrt(distance * distance - double(dy) * dy)));
             const auto row = strengths.values.begin() + std::ptrdiff_t(y + dy) * width;
             const auto first = row + std::max(0, x - half), last = row + std::min(width, x + half + 1);
             most = std::max(most, *std::max_element(first, last));
@@ -34,10 +39,6 @@ Array<float> reached(const Strengths& strengths, const Bitmap& judge, double tol
         return most;
     });
 }
-
-double share(std::size_t of, std::size_t all) { return all ? double(of) / double(all) : 1.0; }
-
-}  // namespace
 
 Bitmap Strengths::above(float threshold) const {
     Bitmap bitmap(width, height);
@@ -79,7 +80,7 @@ PrecisionRecall precision_recall(const Strengths& given, const Bitmap& always, c
     for (std::size_t i = 0; i < to_judge.size(); ++i)
         if (strengths.values[i] >= 0.0f) drawn.push_back({strengths.values[i], to_judge[i] <= tolerance});
     std::ranges::sort(drawn, std::greater(), &Drawn::strength);
-    Array<float> found = reached(strengths, judge, tolerance);
+    Array<float> found = most_near(strengths, pixels_in(judge), tolerance);
     std::ranges::sort(found, std::greater());
     PrecisionRecall curve;
     std::size_t count = 0, near = 0, recalled = 0;

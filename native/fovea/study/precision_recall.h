@@ -18,6 +18,12 @@ struct Strengths {
     Bitmap above(float threshold) const;
 };
 
+/// Numbers of the pixels that are set, ascending.
+Array<Index> pixels_in(const Bitmap& bitmap);
+
+/// For each of the pixels with these numbers the most strength within a distance [px]; below 0: there is no line.
+Array<float> most_near(const Strengths& strengths, In<Index> pixels, double distance);
+
 /// Drawings of ever more lines, from those that are drawn in any case alone.
 struct PrecisionRecall {
     Array<float> threshold;

@@ -1,0 +1,193 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Styles fitted to a drawing: which line definitions, and with which thresholds, draw what an artist has drawn. Without
+Blender.
+
+Each definition is drawn at a few thresholds, so that what cuts lines short or leaves them out counts as it does in
+pictures, fitted, and drawn and fitted again at more thresholds near those found."""
+
+import time
+from dataclasses import dataclass
+
+import numpy as np
+
+from . import catalogue, native, style
+
+THRESHOLDS = "threshold", "angle"  # parameters that say how strong a line has to be
+LEAST, MOST = 0.05, 20.0  # times a threshold's default
+STEP, FINE_STEP = 1.5, 1.05  # factors between thresholds that are tried
+LEAST_IN_IMAGE, STEPS_IN_IMAGE = 0.02, 8  # of definitions in the image, each of whose drawings takes long
+# What is fitted where no lines are named: what artists draw.
+NAMES = "contour", "crease", "border", "intersection", "ridge", "valley", "suggestive_contour", "apparent_ridge"
+OUTLINES = "contour", "border"  # what is in every drawing
+NOTHING = (
+    "no lines of the scene are near to the drawing: look at both by fovea compare, register a scan, or allow a larger "
+    "tolerance"
+)
+ON = 1.0  # stands for the threshold of a definition without one
+
+
+@dataclass(frozen=True)
+class Fitted:
+    """A Style, and what it is made of. `thresholds`: {definition: number, True where it has none, None: not drawn};
+    `found`, `before`: precision, recall, f1 of its lines, and of those that the style had before."""
+
+    style: object
+    thresholds: dict
+    found: dict
+    before: dict
+    tolerance: float
+    drawings: int  # how often lines were drawn
+    seconds: float  # that this took
+
+
+def threshold_of(name):
+    """The parameter, as in the catalogue, that is a definition's threshold; None: it is drawn or not."""
+    known = {parameter["name"]: parameter for parameter in catalogue.by_name()[name]["parameters"]}
+    return next((known[word] for word in THRESHOLDS if word in known and known[word]["min"] == 0), None)
+
+
+def style_with(base, thresholds):
+    """A Style that draws the definitions of {name: threshold}, and no others, as `base` does, with all its line sets.
+    Definitions that are in none of them go to the first one that has such of smooth shapes, too, or such of others;
+    else to the last one."""
+    definitions = catalogue.by_name()
+    held = base.line_sets or (style.LineSet(),)
+    kinds = [{} for _ in held]
+    for name, value in thresholds.items():
+        parameter, smooth = threshold_of(name), definitions[name]["of_smooth"]
+        given = {parameter["name"]: float(value)} if parameter else {}
+        places = [i for i, line_set in enumerate(held) if name in line_set.kinds]
+        alike = (i for i, line_set in enumerate(held) for k in line_set.kinds if definitions[k]["of_smooth"] == smooth)
+        for place in places or [next(alike, len(held) - 1)]:
+            kinds[place][name] = dict(held[place].kinds.get(name, {})) | given
+    return base.replace(line_sets=tuple(line_set.replace(kinds=k) for line_set, k in zip(held, kinds)))
+
+
+def _alone(base, thresholds):
+    """A Style of the visible lines of definitions alone, none of them thinned out."""
+    alone = style_with(base, thresholds)
+    sets = tuple(line_set.replace(hidden=()) for line_set in alone.line_sets)
+    return alone.replace(line_sets=sets, elision=style.Elision())
+
+
+def fit(draw, size, names, base, judge_of, tolerance=None, beta=1.0):
+    """The Fitted of the definitions `names` and the Style `base`. draw(style): (px, offsets) of what it draws in a
+    frame of (width, height) pixels. judge_of(reference): the Bitmap of the artist's drawing; reference() is that of
+    the scene's OUTLINES, for registration. `tolerance` [px], usual where None is given; `beta`: above 1 rather complete
+    than clean. ValueError if nothing that can be drawn is near to the drawing."""
+    core, ladders = native.load(), [_Ladder(draw, base, name) for name in names]
+    judge = judge_of(lambda: core.Bitmap.of_lines(*draw(_alone(base, dict.fromkeys(OUTLINES, ON))), *size))
+    tolerance = judge.usual_tolerance if tolerance is None else tolerance
+    how = {"judge": judge, "tolerance": tolerance, "beta": beta}
+    usual = [ladder.usual for ladder in ladders]
+    for ladder in ladders:
+        ladder.climb(ladder.coarse())
+    found = core.fitted(_strengths(ladders, size), thresholds=_floats(usual), **how)
+    for ladder, threshold in zip(ladders, found["thresholds"]):
+        ladder.at(ladder.usual)
+        if np.isfinite(threshold):
+            ladder.climb(ladder.fine(threshold))
+    strengths = _strengths(ladders, size)
+    found = core.fitted(strengths, thresholds=found["thresholds"], **how)
+    own = [ladder.usual if ladder.in_base else np.inf for ladder in ladders]
+    before = core.judged(strengths, thresholds=_floats(own), **how)
+    chosen = {ladder.name: ladder.nearest(t) for ladder, t in zip(ladders, found["thresholds"]) if np.isfinite(t)}
+    if not chosen:
+        raise ValueError(NOTHING)
+    return Fitted(
+        _pruned(style_with(base, chosen)),
+        {name: _told(name, chosen.get(name)) for name in names},
+        *(_measures(of) for of in (found, before)),
+        tolerance,
+        sum(len(ladder.drawn) for ladder in ladders),
+        sum(ladder.seconds for ladder in ladders),
+    )
+
+
+class _Ladder:
+    """What a definition draws at rising thresholds: {threshold: (px, offsets)}. `usual`: that of the base, which it is
+    in or not, or the default."""
+
+    def __init__(self, draw, base, name):
+        self.name, self.draw, self.style_at = name, draw, lambda threshold: _alone(base, {name: threshold})
+        self.parameter, self.in_image = threshold_of(name), catalogue.by_name()[name]["in_image"]
+        own = [line_set.kinds[name] for line_set in base.line_sets if name in line_set.kinds]
+        self.in_base, self.usual = bool(own), ON
+        if self.parameter:
+            self.usual = next(iter(own), {}).get(self.parameter["name"], self.parameter["default"])
+        self.drawn, self.seconds = {}, 0.0
+
+    def coarse(self):
+        if not self.parameter:
+            return [ON]
+        default, end = self.parameter["default"], self.parameter["max"]
+        if self.in_image:
+            return _between(LEAST_IN_IMAGE, end, STEPS_IN_IMAGE)
+        least, most = LEAST * default, min(MOST * default, end)
+        return _between(least, most, _steps(least, most, STEP))
+
+    def fine(self, threshold):
+        """Thresholds between those beside one that is drawn."""
+        known = sorted(t for t in self.drawn if t > 0)
+        at = known.index(self.nearest(threshold))
+        low, high = known[max(at - 1, 0)], known[min(at + 1, len(known) - 1)]
+        return _between(low, high, STEPS_IN_IMAGE if self.in_image else _steps(low, high, FINE_STEP))[1:-1]
+
+    def nearest(self, threshold):
+        """The one that is drawn, of a number that the core rounds."""
+        return min(self.drawn, key=lambda drawn: abs(drawn - threshold))
+
+    def climb(self, thresholds):
+        """Draws what is not drawn yet, up to a threshold where nothing is left."""
+        for threshold in thresholds:
+            if not len(self.at(threshold)[0]):
+                return
+
+    def at(self, threshold):
+        if threshold not in self.drawn:
+            start = time.perf_counter()
+            self.drawn[threshold] = self.draw(self.style_at(threshold))
+            self.seconds += time.perf_counter() - start
+        return self.drawn[threshold]
+
+    def strengths(self, size):
+        """The native Strengths: at each pixel the highest threshold at which it is drawn."""
+        lengths = [len(px) for px, _ in self.drawn.values()]
+        return native.load().Strengths(*_joined(self.drawn.values()), np.repeat(_floats(self.drawn), lengths), *size)
+
+
+def _steps(low, high, factor):
+    return max(1, round(np.log(high / low) / np.log(factor)))
+
+
+def _between(low, high, steps):
+    """Thresholds from low to high, in so many steps of equal factors, of as many digits as one wants to read."""
+    return [float(f"{threshold:.4g}") for threshold in np.geomspace(low, high, steps + 1)]
+
+
+def _floats(values):
+    return np.array(list(values), np.float32)
+
+
+def _strengths(ladders, size):
+    return [ladder.strengths(size) for ladder in ladders]
+
+
+def _joined(parts):
+    """(px, offsets) of several of them, one after the other."""
+    parts = list(parts)
+    starts = np.cumsum([0, *(len(px) for px, _ in parts)])
+    offsets = [offsets[1:] + start for (_, offsets), start in zip(parts, starts)]
+    return np.concatenate([px for px, _ in parts]), np.concatenate([[0], *offsets]).astype(np.int64)
+
+
+def _pruned(made):
+    return made.replace(line_sets=tuple(line_set for line_set in made.line_sets if line_set.kinds))
+
+
+def _told(name, threshold):
+    return None if threshold is None else threshold if threshold_of(name) else True
+
+
+def _measures(found):
+    return {name: found[name] for name in ("precision", "recall", "f1")}

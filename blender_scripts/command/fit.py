@@ -1,0 +1,58 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""`fovea fit SCENE DRAWING -o STYLE.json`: the style, by its line definitions and their thresholds, that draws a scene
+as an artist has drawn it."""
+
+import argparse
+import json
+import os
+from pathlib import Path
+
+from . import actions, model_files, output, quantities
+from . import package as extension
+from .target import PROJECT
+
+BASE = "plain"  # what fitted lines are drawn with, unless --style says it
+BETA = 0.5, 2.0  # from clean to complete
+
+
+def fit(target, words):
+    options = parse(words)
+    output.check(options.output)
+    extension.install(target)
+    out = Path(os.environ["TMPDIR"], "fitted.json")
+    script = PROJECT / "blender_scripts" / "fit.py"
+    actions.in_blender(target, f"fitting the lines of {options.scene}", script, [out, *words])
+    found = json.loads(out.read_text())
+    print(json.dumps(found) if options.json else told(found))
+    return 0
+
+
+def parse(words):
+    parser = argparse.ArgumentParser("fovea fit", usage=argparse.SUPPRESS)
+    parser.add_argument("scene", type=model_files.scene, help="NAME[:N], MODEL or FILE.blend")
+    parser.add_argument("drawing", type=model_files.file, metavar="DRAWING", help="of an artist: a .png, .svg or .npz")
+    path = {"type": lambda text: Path(text).absolute(), "metavar": "STYLE.json"}
+    parser.add_argument("-o", "--output", required=True, help="the style", **path)
+    parser.add_argument("--style", default=BASE, metavar="NAME|FILE.json", help="whose pens draw the lines")
+    parser.add_argument("--lines", type=lambda text: text.split(","), metavar="A,B", help="line definitions")
+    parser.add_argument("--camera", metavar="NAME", help="of the scene")
+    far = quantities.within(0, 1e4, "pixels")
+    parser.add_argument("--tolerance", type=far, metavar="PX", help="what counts as near (0.42 %% of the diagonal)")
+    beta = quantities.within(*BETA, "times the weight of precision")
+    parser.add_argument("--beta", type=beta, default=1.0, help="above 1: rather complete than clean")
+    by = ("lines", "marks")
+    parser.add_argument("--register", choices=by, help="a scan, registered to the lines of the scene by that")
+    parser.add_argument("--json", action="store_true")
+    options = parser.parse_args(words)
+    if options.output.suffix.lower() != ".json":
+        parser.error(f"-o: a style is a .json, not {options.output.name}")
+    return options
+
+
+def told(found):
+    """Lines of words: how near the drawing is, and what is drawn from which threshold on."""
+    measures = "precision {precision:.3f}, recall {recall:.3f}, F1 {f1:.3f}"
+    lines = [f"{measures.format(**found)}, within {found['tolerance_px']:.2f} px; F1 was {found['before']['f1']:.3f}"]
+    for name, value in found["thresholds"].items():
+        lines.append(f"  {name:24}{'off' if value is None else 'on' if value is True else f'{value:.4g}'}")
+    return "\n".join([*lines, found["style"]])

@@ -1,0 +1,54 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Runs inside Blender for `fovea fit`: OUT.json and its words. Fits a style to a drawing of the scene."""
+
+import json
+import sys
+import time
+from pathlib import Path
+
+import bpy
+from bl_ext.user_default.fovea import catalogue, comparison, fitted_style, style
+from bl_ext.user_default.fovea.render import style_fit
+from bl_ext.user_default.fovea.scene.problem import CannotDraw
+from bl_ext.user_default.fovea.style import style_files
+
+sys.path.insert(0, str(Path(__file__).parent))
+
+import draw
+import ending
+import scene_source
+from command import draw_options, fit
+
+
+def main(words):
+    options, start = fit.parse(words[1:]), time.perf_counter()
+    drawing, base = comparison.read(options.drawing), style.named(options.style)
+    names = catalogue.named(options.lines) if options.lines else fitted_style.NAMES
+    scene_source.open_scene(options.scene)
+    of_draw = draw_options.parse([options.scene])
+    scene = bpy.context.scene
+    draw.set_size(scene, of_draw)
+    draw.set_camera(scene, of_draw)
+    size = comparison.frame_for(drawing, style_fit.frame_size(scene.render), options.register)
+    judge_of = comparison.judge_of(drawing, size, options.register, options.tolerance)
+    seen_by = scene_source.seen_by(options.camera)
+    opened = time.perf_counter()
+    try:
+        found = style_fit.fit(bpy.context, size, names, base, judge_of, options.tolerance, options.beta, seen_by)
+    except CannotDraw as problem:
+        raise ValueError(str(problem)) from problem
+    style_files.write(options.output, found.style)
+    end = time.perf_counter()
+    told = found.found | {
+        "thresholds": found.thresholds,
+        "before": found.before,
+        "tolerance_px": found.tolerance,
+        "style": str(options.output),
+        "drawings": found.drawings,
+        "seconds": {"scene": opened - start, "drawing": found.seconds, "fitting": end - opened - found.seconds},
+    }
+    Path(words[0]).write_text(json.dumps(told), encoding="utf-8")
+
+
+if __name__ == "__main__":
+    ending.run(main)

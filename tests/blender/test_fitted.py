@@ -1,0 +1,103 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Styles fitted to drawings of a scene, in Blender."""
+
+import bpy
+import numpy as np
+import pytest
+from the_addon import part
+
+comparison, fitted_style, native, style = (part(name) for name in ("comparison", "fitted_style", "native", "style"))
+problem, style_fit = part("scene.problem"), part("render.style_fit")
+style_read = part("style.style_read")
+as_rendered, definition_strengths = part("render.as_rendered"), part("render.definition_strengths")
+SIZE = 960, 720
+NAMES = "contour", "crease", "ridge", "valley"
+ARTIST = {"contour": 1.0, "ridge": 0.6, "valley": 0.3}
+
+
+@pytest.fixture
+def monkey():
+    """A smooth monkey, and a cube beside it, in a collection of its own, before a camera."""
+    bpy.ops.wm.read_homefile(use_empty=True)
+    bpy.ops.mesh.primitive_monkey_add()
+    bpy.ops.object.shade_smooth()
+    bpy.context.object.modifiers.new("Subdivision", "SUBSURF").render_levels = 2
+    bpy.ops.mesh.primitive_cube_add(size=0.8, location=(1.6, 0, -0.6), rotation=(0.4, 0.2, 0.5))
+    box = bpy.data.collections.new("Box")
+    box.objects.link(bpy.context.object)
+    scene = bpy.context.scene
+    scene.collection.children.link(box)
+    scene.collection.objects.unlink(bpy.context.object)
+    camera = bpy.data.objects.new("Camera", bpy.data.cameras.new("Camera"))
+    camera.location, camera.rotation_euler = (1.2, -5, 0.6), (np.radians(84), 0, np.radians(9))
+    scene.collection.objects.link(camera)
+    scene.camera, scene.render.engine = camera, "FOVEA"
+    return scene
+
+
+def drawing(base, thresholds):
+    """The Bitmap of what a Style draws of definitions with thresholds."""
+    wanted = fitted_style.style_with(base, thresholds)
+
+    def take(engine, depsgraph):
+        return native.load().Bitmap.of_lines(*style_fit.drawer(engine, depsgraph, wanted)(wanted), *SIZE)
+
+    return as_rendered.look(bpy.context, take, definition_strengths.prepared(SIZE))
+
+
+def fitted(base, judge, names=NAMES):
+    return style_fit.fit(bpy.context, SIZE, names, base, lambda _: judge, 1.0)
+
+
+def test_the_thresholds_of_a_drawing_are_found_again(monkey):
+    plain = style.load("plain")
+    judge = drawing(plain, ARTIST)
+    found = fitted(plain, judge)
+    assert found.thresholds["contour"] is True and found.thresholds["crease"] is None
+    for name in ("ridge", "valley"):
+        assert found.thresholds[name] == pytest.approx(ARTIST[name], rel=0.1), name
+    chosen = {name: 1.0 if value is True else value for name, value in found.thresholds.items() if value}
+    again = drawing(plain, chosen).measures(judge, 1.0)
+    assert again["f1"] == pytest.approx(found.found["f1"], abs=0.01)
+    assert found.found["f1"] > 0.98 > found.before["f1"]
+    assert (monkey.render.resolution_x, monkey.render.resolution_y) == (1920, 1080)
+
+
+def test_what_the_line_sets_of_a_style_filter_is_filtered_in_the_fit(monkey):
+    forms, lines = style.load("plain").line_sets
+    sets = (forms.replace(kinds={"ridge": {}}), lines.replace(collection="Box", kinds={"contour": {}}))
+    base = style.load("plain").replace(line_sets=sets)
+    of_box = drawing(base, {"contour": 1.0})
+    columns = np.flatnonzero(of_box.pixels.any(axis=0))
+    assert columns[0] > SIZE[0] / 2, "the cube is on the right"
+    found = fitted(base, of_box, ("contour", "ridge"))
+    assert found.thresholds == {"contour": True, "ridge": None} and found.found["f1"] == 1.0
+    (kept,) = found.style.line_sets
+    assert kept.collection == "Box" and set(kept.kinds) == {"contour"}
+
+
+def test_a_scene_without_surfaces_is_refused_in_a_sentence(monkey):
+    for obj in [obj for obj in monkey.objects if obj.type == "MESH"]:
+        bpy.data.objects.remove(obj)
+    with pytest.raises(problem.CannotDraw, match="nothing that has lines"):
+        fitted(style.load("plain"), native.load().Bitmap(np.ones(SIZE[::-1], np.uint8)))
+
+
+def test_a_scene_gets_a_new_style_as_it_is_drawn_and_keeps_an_edited_one(monkey, tmp_path):
+    monkey.render.resolution_x, monkey.render.resolution_y = SIZE
+    bpy.ops.fovea.style_new(style="plain")
+    before = monkey.fovea.style
+    before.fovea.line_sets[0].pen.width = 4.5
+    base = style_read.read(before)
+    picture = 255 * (1 - drawing(base, ARTIST).pixels[..., None].repeat(3, 2))
+    (tmp_path / "artist.png").write_bytes(native.load().png_bytes(picture.astype(np.uint8)))
+    assert bpy.ops.fovea.fit_style(filepath=str(tmp_path / "artist.png"), tolerance=2.0) == {"FINISHED"}
+    made = style_read.read(monkey.fovea.style)
+    assert monkey.fovea.style.name == "Fitted from artist" and before.name in bpy.data.node_groups
+    assert {name for line_set in made.line_sets for name in line_set.kinds} == set(ARTIST)
+    assert made.line_sets[0].kinds["ridge"]["threshold"] == pytest.approx(ARTIST["ridge"], rel=0.1)
+    assert made.line_sets[0].pen.width == 4.5
+    (tmp_path / "empty.png").write_bytes(b"no")
+    with pytest.raises(RuntimeError, match=r"empty\.png: PNG"):
+        bpy.ops.fovea.fit_style(filepath=str(tmp_path / "empty.png"))
+    assert monkey.fovea.style.name == "Fitted from artist"

@@ -1,0 +1,153 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Styles fitted to a drawing: by an artist who draws rows of lines of known strengths, without Blender."""
+
+import json
+
+import numpy as np
+import pytest
+from command import compare, fit
+from native_core import core
+
+from addon import fitted_style, style
+
+SIZE = 320, 240
+NAMES = "contour", "crease", "ridge", "valley", "suggestive_contour"
+ROWS = *NAMES, "border"
+PLAIN = style.load("plain")
+ARTIST = {"contour": 1.0, "crease": 50.0, "ridge": 0.3, "valley": 0.17}
+
+
+def rows(name):
+    """(px, strengths) of 40 short lines of a definition, in rows of its own, from weak to strong."""
+    parameter = fitted_style.threshold_of(name)
+    default = parameter["default"] if parameter else 1.0
+    strengths = default * np.geomspace(0.06, 5.9, 40) if parameter else np.full(40, np.inf)
+    number = np.arange(40)
+    x, y = 10 + 30 * (number % 10), 10 + 8 * ROWS.index(name) + 50 * (number // 10)
+    return np.stack([np.stack([x, y], 1), np.stack([x + 12, y], 1)], 1).astype(np.float32), strengths
+
+
+def draw(wanted):
+    """(px, offsets) of what a Style draws of all rows: those as strong as its thresholds."""
+    drawn = []
+    for line_set in wanted.line_sets:
+        for name, values in line_set.kinds.items():
+            px, strengths = rows(name)
+            parameter = fitted_style.threshold_of(name)
+            least = values.get(parameter["name"], parameter["default"]) if parameter else 0.0
+            drawn.append(px[strengths >= least])
+    px = np.concatenate([*drawn, np.empty((0, 2, 2), np.float32)]).reshape(-1, 2)
+    return px, np.arange(0, len(px) + 1, 2)
+
+
+def drawing(thresholds):
+    return core.Bitmap.of_lines(*draw(fitted_style.style_with(PLAIN, thresholds)), *SIZE)
+
+
+def fitted(judge, names=NAMES, base=PLAIN, **how):
+    return fitted_style.fit(draw, SIZE, names, base, lambda _: judge, 2.0, **how)
+
+
+def test_an_artists_thresholds_are_found_again():
+    found = fitted(drawing(ARTIST))
+    assert found.found["f1"] > 0.99 > found.before["f1"]
+    assert found.thresholds["contour"] is True and found.thresholds["suggestive_contour"] is None
+    for name in ("crease", "ridge", "valley"):
+        assert found.thresholds[name] == pytest.approx(ARTIST[name], rel=0.1), name
+
+
+def test_the_fitted_style_draws_what_was_found_and_nothing_else():
+    judge = drawing(ARTIST)
+    found = fitted(judge)
+    again = style.parse(style.dump(found.style))
+    kinds = {name: values for line_set in again.line_sets for name, values in line_set.kinds.items()}
+    assert set(kinds) == set(ARTIST)
+    assert kinds["ridge"] == {"threshold": pytest.approx(found.thresholds["ridge"]), "prominence": 0.3}
+    assert kinds["crease"]["angle"] == pytest.approx(found.thresholds["crease"])
+    assert core.Bitmap.of_lines(*draw(again), *SIZE).measures(judge, 2.0)["f1"] == pytest.approx(found.found["f1"])
+
+
+def test_lines_stay_in_the_line_sets_of_their_style_and_new_ones_go_to_such_of_their_kind():
+    made = fitted_style.style_with(PLAIN, {"ridge": 0.4, "apparent_ridge": 0.1, "cast_shadow": 1.0})
+    forms, lines = made.line_sets
+    assert set(forms.kinds) == {"ridge", "apparent_ridge"} and set(lines.kinds) == {"cast_shadow"}
+    assert forms.pen == PLAIN.line_sets[0].pen and lines.kinds["cast_shadow"] == {}
+
+
+def test_a_style_whose_lines_are_all_as_drawn_stays_as_near_as_it_was():
+    own = {"contour": 1.0, "crease": 30.0, "ridge": 0.5, "valley": 0.25, "suggestive_contour": 0.01}
+    found = fitted(drawing(own))
+    assert found.before["f1"] == 1.0 and found.found["f1"] > 0.99
+
+
+def test_whoever_wants_it_complete_gets_more_lines_than_whoever_wants_it_clean():
+    noise = drawing(ARTIST).pixels.copy()
+    noise[:, ::40] = 1  # lines of no definition, across weak and strong ones
+    random = np.random.default_rng(2)
+    px, _ = rows("ridge")
+    for x, y in px[random.random(40) < 0.5][:, 0].astype(int):
+        noise[y, x : x + 13] = 0
+    judge = core.Bitmap(noise)
+    clean, complete = (fitted(judge, beta=beta).found for beta in (0.5, 2.0))
+    assert clean["precision"] >= complete["precision"] and clean["recall"] <= complete["recall"]
+
+
+def test_what_is_nowhere_near_is_refused_in_a_sentence():
+    far = np.zeros(SIZE[::-1], np.uint8)
+    far[-4:, -9:] = 1
+    with pytest.raises(ValueError, match="no lines of the scene are near to the drawing"):
+        fitted(core.Bitmap(far))
+
+
+def test_a_scan_is_registered_to_outlines():
+    asked = []
+
+    def judge_of(reference):
+        asked.append(reference())
+        return drawing(ARTIST)
+
+    fitted_style.fit(draw, SIZE, ("ridge", "crease"), PLAIN, judge_of, 2.0)
+    assert asked[0].measures(drawing(dict.fromkeys(fitted_style.OUTLINES, 1.0)), 0.0)["f1"] == 1.0
+
+
+def test_words_and_figures_of_the_command(tmp_path, capsys):
+    (tmp_path / "a.png").write_bytes(b"")
+    words = ["office", str(tmp_path / "a.png"), "-o", str(tmp_path / "a.json")]
+    assert fit.parse(words).style == "plain" and fit.parse([*words, "--beta", "2"]).beta == 2.0
+    for wrong, told in (
+        ([*words[:3], "a.png"], "a style is a .json"),
+        ([*words, "--beta", "3"], "times the weight of precision from 0.5 to 2"),
+        (["office", "b.png", *words[2:]], "there is no file b.png"),
+        (["no.blend", *words[1:]], "there is no file no.blend"),
+    ):
+        with pytest.raises(SystemExit):
+            fit.parse(wrong)
+        assert told in capsys.readouterr().err
+    with pytest.raises(SystemExit):
+        compare.parse([str(tmp_path / "a.png"), str(tmp_path / "a.png"), "--scene", "no.blend"])
+    assert "there is no file no.blend" in capsys.readouterr().err
+    measures = {"precision": 1.0, "recall": 0.5, "f1": 2 / 3}
+    found = measures | {"before": measures, "tolerance_px": 2.0, "style": "a.json"}
+    text = fit.told(found | {"thresholds": {"contour": True, "crease": 47.25, "ridge": None}})
+    assert [line.split()[-1] for line in text.splitlines()[1:]] == ["on", "47.25", "off", "a.json"]
+    json.dumps(found, allow_nan=False)
+
+
+def test_hidden_lines_and_line_thinning_are_left_out_of_the_fit_and_stay_in_the_style():
+    sets = tuple(line_set.replace(hidden=(style.Hidden(),)) for line_set in PLAIN.line_sets)
+    base, seen = PLAIN.replace(line_sets=sets, elision=style.Elision(enabled=True)), []
+
+    def drawn(wanted):
+        seen.append(wanted)
+        return draw(wanted)
+
+    found = fitted_style.fit(drawn, SIZE, ("contour", "ridge"), base, lambda _: drawing({"ridge": 0.3}), 2.0)
+    assert not any(wanted.elision.enabled or line_set.hidden for wanted in seen for line_set in wanted.line_sets)
+    assert found.style.elision.enabled and found.style.line_sets[0].hidden == sets[0].hidden
+    assert found.drawings == len(seen)
+
+
+def test_every_definition_that_has_a_least_strength_has_a_threshold():
+    named = {name: fitted_style.threshold_of(name) for name in fitted_style.catalogue.by_name()}
+    assert named["crease"]["name"] == "angle" and named["image_edge"]["name"] == "threshold"
+    assert {name for name, threshold in named.items() if threshold is None} >= {"contour", "section_hatch", "isophote"}
