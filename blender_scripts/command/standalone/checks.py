@@ -8,7 +8,7 @@ from . import interface
 GLIBC = (2, 28)  # the oldest that Blender itself runs with
 ENTRY = "PyInit__native"
 LINUX = {f"lib{name}" for name in ("c.so.6", "m.so.6", "pthread.so.0", "dl.so.2", "rt.so.1")} | {"ld-linux-x86-64.so.2"}
-# Of the C library, which has them for each processor; a compiler's own are slower (native/standalone/wide_integers.cpp).
+# The C library has them for each processor; a compiler's own are slower (native/standalone/wide_integers.cpp).
 FAST = ("memcpy", "memmove", "memset")
 MACOS = {"/usr/lib/libSystem.B.dylib"}
 MACOS_SYSTEM = (11, 0)

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The linkers of modules. For macOS it is LLVM's, with the C++ runtime that zig has built: zig's own there knows no list
-of exports, and has the system put other libraries' functions and tables of C++ in the place of the module's. For others
-it is zig's, told to keep one of functions that have the same code, a twentieth of a module."""
+"""The linkers of modules. For macOS it is LLVM's, with the C++ runtime that zig has built: zig's own there knows no
+list of exports, and has the system put other libraries' functions and tables of C++ in the place of the module's. For
+others it is zig's, told to keep one of functions that have the same code, a twentieth of a module."""
 
 import re
 import shlex
