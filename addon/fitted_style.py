@@ -16,9 +16,6 @@ THRESHOLDS = "threshold", "angle"  # parameters that say how strong a line has t
 LEAST, MOST = 0.05, 20.0  # times a threshold's default
 STEP, FINE_STEP = 1.5, 1.05  # factors between thresholds that are tried
 LEAST_IN_IMAGE, STEPS_IN_IMAGE = 0.02, 8  # of definitions in the image, each of whose drawings takes long
-# What is fitted where no lines are named: what artists draw.
-NAMES = "contour", "crease", "border", "intersection", "ridge", "valley", "suggestive_contour", "apparent_ridge"
-OUTLINES = "contour", "border"  # what is in every drawing
 NOTHING = (
     "no lines of the scene are near to the drawing: look at both by fovea compare, register a scan, or allow a larger "
     "tolerance"
@@ -44,6 +41,19 @@ def threshold_of(name):
     """The parameter, as in the catalogue, that is a definition's threshold; None: it is drawn or not."""
     known = {parameter["name"]: parameter for parameter in catalogue.by_name()[name]["parameters"]}
     return next((known[word] for word in THRESHOLDS if word in known and known[word]["min"] == 0), None)
+
+
+def names_of(base):
+    """The definitions of a Style that are fitted where no others are asked for: all but those in the image, which take
+    seconds for each threshold."""
+    known = catalogue.by_name()
+    held = dict.fromkeys(name for line_set in base.line_sets for name in line_set.kinds)
+    return [name for name in held if not known[name]["in_image"]]
+
+
+def outlines_of(base):
+    """Those of them that have no threshold: contours, intersections and others that are in every drawing."""
+    return [name for name in names_of(base) if threshold_of(name) is None]
 
 
 def style_with(base, thresholds):
@@ -73,10 +83,10 @@ def _alone(base, thresholds):
 def fit(draw, size, names, base, judge_of, tolerance=None, beta=1.0):
     """The Fitted of the definitions `names` and the Style `base`. draw(style): (px, offsets) of what it draws in a
     frame of (width, height) pixels. judge_of(reference): the Bitmap of the artist's drawing; reference() is that of
-    the scene's OUTLINES, for registration. `tolerance` [px], usual where None is given; `beta`: above 1 rather complete
+    the base's outlines, for registration. `tolerance` [px], usual where None is given; `beta`: above 1 rather complete
     than clean. ValueError if nothing that can be drawn is near to the drawing."""
     core, ladders = native.load(), [_Ladder(draw, base, name) for name in names]
-    judge = judge_of(lambda: core.Bitmap.of_lines(*draw(_alone(base, dict.fromkeys(OUTLINES, ON))), *size))
+    judge = judge_of(lambda: core.Bitmap.of_lines(*draw(_alone(base, dict.fromkeys(outlines_of(base), ON))), *size))
     tolerance = judge.usual_tolerance if tolerance is None else tolerance
     how = {"judge": judge, "tolerance": tolerance, "beta": beta}
     usual = [ladder.usual for ladder in ladders]

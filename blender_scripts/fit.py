@@ -23,7 +23,7 @@ from command import draw_options, fit
 def main(words):
     options, start = fit.parse(words[1:]), time.perf_counter()
     drawing, base = comparison.read(options.drawing), style.named(options.style)
-    names = catalogue.named(options.lines) if options.lines else fitted_style.NAMES
+    names = catalogue.named(options.lines) if options.lines else fitted_style.names_of(base)
     scene_source.open_scene(options.scene)
     of_draw = draw_options.parse([options.scene])
     scene = bpy.context.scene

@@ -52,7 +52,7 @@ class FOVEA_OT_fit_style(OfRender, bpy.types.Operator, ImportHelper):
         size = comparison.frame_for(drawing, style_fit.frame_size(scene.render), by)
         judge_of, own = comparison.judge_of(drawing, size, by, tolerance), style_data.of(scene)
         base = style_read.read(own) if own else style_data.default()
-        found = style_fit.fit(context, size, fitted_style.NAMES, base, judge_of, tolerance, self.completeness)
+        found = style_fit.fit(context, size, fitted_style.names_of(base), base, judge_of, tolerance, self.completeness)
         style_data.use(scene, found.style, f"Fitted from {drawing.name}")
         told = ", ".join(_told(name, value) for name, value in found.thresholds.items() if value is not None)
         self.report(

@@ -12,8 +12,8 @@ from addon import fitted_style, style
 
 SIZE = 320, 240
 NAMES = "contour", "crease", "ridge", "valley", "suggestive_contour"
-ROWS = *NAMES, "border"
 PLAIN = style.load("plain")
+ROWS = list(dict.fromkeys((*NAMES, *fitted_style.names_of(PLAIN))))
 ARTIST = {"contour": 1.0, "crease": 50.0, "ridge": 0.3, "valley": 0.17}
 
 
@@ -107,7 +107,16 @@ def test_a_scan_is_registered_to_outlines():
         return drawing(ARTIST)
 
     fitted_style.fit(draw, SIZE, ("ridge", "crease"), PLAIN, judge_of, 2.0)
-    assert asked[0].measures(drawing(dict.fromkeys(fitted_style.OUTLINES, 1.0)), 0.0)["f1"] == 1.0
+    outlines = fitted_style.outlines_of(PLAIN)
+    assert asked[0].measures(drawing(dict.fromkeys(outlines, 1.0)), 0.0)["f1"] == 1.0
+    assert {"contour", "intersection", "border"} < set(outlines) < set(fitted_style.names_of(PLAIN)) - {"crease"}
+
+
+def test_definitions_of_the_base_are_fitted_but_those_in_the_image():
+    names = fitted_style.names_of(PLAIN)
+    assert sorted(names) == sorted({name for line_set in PLAIN.line_sets for name in line_set.kinds})
+    in_image = fitted_style.style_with(PLAIN, {"crease": 30.0, "image_edge": 1.0})
+    assert fitted_style.names_of(in_image) == ["crease"]
 
 
 def test_words_and_figures_of_the_command(tmp_path, capsys):
