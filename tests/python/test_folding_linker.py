@@ -12,7 +12,7 @@ LINUX, WINDOWS = (toolchain.PLATFORMS[name] for name in ("linux-x64", "windows-x
 
 @pytest.fixture
 def linked(tmp_path):
-    """linked(folder, platform, said): (status, what the linker wrote, the words that zig got), the compiler saying so."""
+    """linked(folder, platform, said): (status, what the linker wrote, the words of zig), the compiler saying so."""
 
     def run(folder, platform, said):
         work, sources = tmp_path / folder / "work", tmp_path / folder / "sources"
