@@ -11,9 +11,11 @@ if(WIN32)
 endif()
 
 # Functions that nobody calls are left out, also where others of their file are called.
-if(UNIX AND NOT APPLE)
+if(NOT APPLE)
     add_compile_options(-ffunction-sections -fdata-sections)
-    add_link_options(-Wl,--gc-sections)
+endif()
+if(UNIX AND NOT APPLE)
+    add_link_options(-Wl,--gc-sections) # as for Windows without being told
 endif()
 
 # On Linux nothing else is taken of the compiler's own library (the file says why, toolchain.py how).

@@ -97,7 +97,8 @@ def _build(target, platform, goals):
         own = suites_headers(target) if platform.system == "Linux" else {}
         options = [*tools, *_options(platform, source, (*toolchain.PYTHONS, *own))]
         options += [f"-DFOVEA_PYTHON_HEADERS={target.work / 'headers'}"] if own else []
-        options.append(linker.option(target, source, platform))
+        if platform.name in linker.PLATFORMS:
+            options.append(linker.option(target, source, platform))
         _configure(target, platform, folder, options)
         if platform.system == "Windows":
             for python in toolchain.PYTHONS:

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The linkers of modules. For macOS it is LLVM's, with the C++ runtime that zig has built: zig's own there knows no
 list of exports, and has the system put other libraries' functions and tables of C++ in the place of the module's. For
-others it is zig's, told to keep one of functions that have the same code, a twentieth of a module."""
+Linux it is zig's, told to keep one of functions that have the same code, a twentieth of a module; on Windows' that word
+has no effect."""
 
 import re
 import shlex
@@ -24,11 +25,11 @@ FOLDING = """#!/bin/sh
 # zig {digest}
 said=$(ZIG_VERBOSE_LINK=1 {compiler} "$@" 2>&1) || {{ printf '%s\\n' "$said" >&2; exit 1; }}
 case $PWD{sources} in *" "*) exit 0 ;; esac
-words=$(printf '%s\\n' "$said" | grep '^{linker} ' | tail -n 1)
+words=$(printf '%s\\n' "$said" | grep '^ld.lld ' | tail -n 1)
 [ -n "$words" ] || {{ echo "zig did not say how it links: $said" >&2; exit 1; }}
-exec {sources}/zig/zig $words {fold}
+exec {sources}/zig/zig $words --icf=safe
 """
-FOLD = {"Linux": ("ld.lld", "--icf=safe"), "Windows": ("lld-link", "-OPT:SAFEICF")}
+PLATFORMS = ("linux-x64", "macos-arm64")  # of which modules are not linked as zig does
 
 
 def option(target, sources, platform):
@@ -39,10 +40,8 @@ def option(target, sources, platform):
 
 def _folding(target, sources, platform):
     folder = target.work / "compilers" / platform.name
-    linker, fold = FOLD[platform.system]
     words = {"compiler": shlex.quote(str(folder / "c++")), "sources": shlex.quote(str(sources))}
-    text = FOLDING.format(digest=sources.name, linker=linker, fold=fold, **words)
-    return _written(folder / "ld", text)
+    return _written(folder / "ld", FOLDING.format(digest=sources.name, **words))
 
 
 def _of_llvm(target, sources, platform):
