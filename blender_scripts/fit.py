@@ -9,6 +9,7 @@ from pathlib import Path
 import bpy
 from bl_ext.user_default.fovea import catalogue, comparison, fitted_style, style
 from bl_ext.user_default.fovea.render import style_fit
+from bl_ext.user_default.fovea.scene import camera
 from bl_ext.user_default.fovea.scene.problem import CannotDraw
 from bl_ext.user_default.fovea.style import style_files
 
@@ -29,7 +30,7 @@ def main(words):
     scene = bpy.context.scene
     draw.set_size(scene, of_draw)
     draw.set_camera(scene, of_draw)
-    size = comparison.frame_for(drawing, style_fit.frame_size(scene.render), options.register)
+    size = comparison.frame_for(drawing, camera.frame_size(scene.render), options.register)
     judge_of = comparison.judge_of(drawing, size, options.register, options.tolerance)
     seen_by = scene_source.seen_by(options.camera)
     opened = time.perf_counter()

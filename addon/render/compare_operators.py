@@ -22,12 +22,11 @@ REGISTER = (
 TOLD_OF = {"precision": "precision", "recall": "recall", "f1": "F1"}
 
 
-class FOVEA_OT_compare_drawing(OfRender, bpy.types.Operator, ImportHelper):
-    """Compare the visible lines of a final render of this frame and view layer with a drawing, and show both in a new
-    image: gray where they agree, blue what the scene alone has, red what the drawing alone has"""
+class OfDrawing(OfRender, ImportHelper):
+    """One that draws the context's scene beside a drawing of the same view."""
 
-    bl_idname, bl_label = "fovea.compare_drawing", "Compare with Drawing"
     errors = (*TOLD, ValueError, OSError)
+    shown = ("register_by", "tolerance")
 
     filter_glob: bpy.props.StringProperty(default="*.png;*.svg;*.npz", options={"HIDDEN"})
     register_by: bpy.props.EnumProperty(
@@ -43,18 +42,28 @@ class FOVEA_OT_compare_drawing(OfRender, bpy.types.Operator, ImportHelper):
     def draw(self, _context):
         layout = self.layout
         layout.use_property_split = True
-        layout.prop(self, "register_by")
-        layout.prop(self, "tolerance")
+        for name in self.shown:
+            layout.prop(self, name)
+
+    def asked(self):
+        """(Drawing of the file, one of comparison.REGISTERED or None, tolerance [px] or None)."""
+        by = None if self.register_by == "NONE" else self.register_by.lower()
+        return comparison.read(Path(bpy.path.abspath(self.filepath))), by, self.tolerance or None
+
+
+class FOVEA_OT_compare_drawing(OfDrawing, bpy.types.Operator):
+    """Compare the visible lines of a final render of this frame and view layer with a drawing, and show both in a new
+    image: gray where they agree, blue what the scene alone has, red what the drawing alone has"""
+
+    bl_idname, bl_label = "fovea.compare_drawing", "Compare with Drawing"
 
     def act(self, context):
-        path = Path(bpy.path.abspath(self.filepath))
-        drawing = comparison.read(path)
+        drawing, by, tolerance = self.asked()
         with progress(context) as tell:
             lines = as_rendered.look(context, partial(session.final, make=_lines, tell=tell))
         if lines is None:
             raise CannotDraw("Stopped before the lines were drawn")
-        by = None if self.register_by == "NONE" else self.register_by.lower()
-        compared = comparison.of_drawings([lines[1], drawing], self.tolerance or None, by)
+        compared = comparison.of_drawings([lines[1], drawing], tolerance, by)
         overlay = comparison_report.overlay(compared.a, compared.judges[0], compared.found["tolerance_px"])
         image = image_of(f"Compared with {drawing.name}", linear(overlay))
         if not bpy.app.background:

@@ -9,12 +9,6 @@ from ..scene.problem import CannotDraw
 from . import as_rendered, definition_strengths, reading
 
 
-def frame_size(render):
-    """(width, height) of a picture of a scene, by its render settings."""
-    share = render.resolution_percentage / 100
-    return tuple(max(1, int(share * side)) for side in (render.resolution_x, render.resolution_y))
-
-
 def fit(context, size, names, base, judge_of, tolerance=None, beta=1.0, seen_by=None):
     """The fitted_style.Fitted, arguments as there, of a final render of the context's frame and view layer with (width,
     height) pixels. `seen_by`: an object, None: the scene's camera."""

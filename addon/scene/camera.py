@@ -26,9 +26,12 @@ def of_scene(depsgraph, camera=None):
     """The View of a final render from `camera`; None: the scene's."""
     render = followed.of(depsgraph.scene).render
     camera = _checked(camera or followed.camera(depsgraph.scene)).evaluated_get(depsgraph)
-    size = (render.resolution_x, render.resolution_y)
-    width, height = (side * render.resolution_percentage // 100 for side in size)
-    return _of_frame(camera, camera.matrix_world.normalized(), depsgraph, width, height)
+    return _of_frame(camera, camera.matrix_world.normalized(), depsgraph, *frame_size(render))
+
+
+def frame_size(render):
+    """(width, height) in pixels of a picture of a scene, by its render settings."""
+    return tuple(side * render.resolution_percentage // 100 for side in (render.resolution_x, render.resolution_y))
 
 
 def _of_frame(camera, camera_to_world, depsgraph, width, height, shift=0.0):

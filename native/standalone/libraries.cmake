@@ -15,11 +15,8 @@ if(NOT APPLE)
     add_compile_options(-ffunction-sections -fdata-sections)
 endif()
 if(UNIX AND NOT APPLE)
-    add_link_options(-Wl,--gc-sections) # as for Windows without being told
-endif()
-
-# On Linux nothing else is taken of the compiler's own library (the file says why, toolchain.py how).
-if(UNIX AND NOT APPLE)
+    add_link_options(-Wl,--gc-sections) # the linker for Windows does so by itself
+    # Nothing else is taken of the compiler's own library (the file says why, toolchain.py how).
     add_library(fovea_wide_integers STATIC ${CMAKE_CURRENT_LIST_DIR}/wide_integers.cpp)
     link_libraries(fovea_wide_integers)
 endif()
