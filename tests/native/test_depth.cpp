@@ -2,7 +2,9 @@
 #include <cstring>
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
+#include <mutex>
 #include <random>
+#include <set>
 #include <tbb/global_control.h>
 
 #include <fovea/visibility/depth.h>
@@ -246,6 +248,44 @@ TEST(Depth, SameWithOneAndManyThreads) {
     const DepthBuffer many = depth_of(view, {mesh}, 2);
     tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
     EXPECT_TRUE(same(many, depth_of(view, {mesh}, 2)));
+}
+
+TEST(Depth, TrianglesOfFewTexelsCoverWhatTheirRowsDo) {
+    const View view = perspective(160, 120);
+    std::mt19937 random(7);
+    std::uniform_real_distribution<float> place(-4.0f, 4.0f), side(-0.12f, 0.12f);
+    Mesh mesh;
+    for (int i = 0; i < 3000; ++i) {
+        const vec3 at(place(random), place(random), place(random) - 6.0f);
+        const auto corner = [&] { return at + vec3(side(random), side(random), side(random)); };
+        const vec3 a = corner(), b = corner();
+        mesh.add(a, b, corner());
+    }
+    const RasterTarget target = raster_target(view, depth_layout(view, {.scale = 1, .margin = 0.0}));
+    const std::vector<RasterMesh> meshes{mesh};
+    std::set<std::array<int, 3>> all, parts;  // triangle, row, texel
+    std::mutex one_at_a_time;
+    const auto rows_of = [&](std::set<std::array<int, 3>>& out) {
+        return [&](const RasterTriangle& t, int y0, int y1) {
+            const std::lock_guard lock(one_at_a_time);
+            const TriangleRows rows(t);
+            for (int y = y0; y < y1; ++y)
+                for (auto [x, end] = rows.covered(y); x < end; ++x) out.insert({int(t.triangle), y, x});
+        };
+    };
+    draw_triangles(target, meshes, nullptr, rows_of(all));
+    std::size_t few = 0;
+    draw_triangles(target, meshes, nullptr, rows_of(parts), [&](const RasterTriangle& t) {
+        const std::lock_guard lock(one_at_a_time);
+        ++few;
+        const int across = t.x1 - t.x0;
+        ASSERT_LE(across * (t.y1 - t.y0), RasterTriangle::most_of_few);
+        for (int i = 0; i < RasterTriangle::most_of_few; ++i)
+            if (t.few >> i & 1) parts.insert({int(t.triangle), t.y0 + i / across, t.x0 + i % across});
+    });
+    EXPECT_GT(few, 500u);
+    EXPECT_GT(all.size(), 3 * few);
+    EXPECT_EQ(all, parts);
 }
 
 TEST(Depth, AgreesWithRaysOnRandomTriangles) {

@@ -2,7 +2,6 @@
 #include <fovea/raster/triangles.h>
 
 #include <algorithm>
-#include <bit>
 #include <string>
 
 #include <fovea/base/check.h>
@@ -46,14 +45,28 @@ bool depth_plane(const std::array<dvec4, 3>& corner, dvec3& plane) {
 
 dvec2 in_texels(const dvec4& corner) { return dvec2(corner) / corner.w; }
 
-/// Texels from which on a triangle's box is not looked through for one that it covers.
-constexpr int few_texels = 8;
-
-bool covers_any(const RasterTriangle& t) {
+/// RasterTriangle::few. As `covers`, without branches: which of them would be taken is hard to foretell.
+std::uint8_t covered_few(const RasterTriangle& t) {
+    dvec2 start[3], way[3];
+    double sign[3];
+    for (int i = 0; i < 3; ++i) {
+        const dvec2 a = t.corner[i], b = t.corner[(i + 1) % 3];
+        const bool swapped = (b.x < a.x) | ((b.x == a.x) & (b.y < a.y));
+        start[i] = {swapped ? b.x : a.x, swapped ? b.y : a.y};
+        way[i] = {std::abs(b.x - a.x), swapped ? a.y - b.y : b.y - a.y};
+        sign[i] = swapped ? -1.0 : 1.0;
+    }
+    unsigned bits = 0, next = 1;
     for (int y = t.y0; y < t.y1; ++y)
-        for (int x = t.x0; x < t.x1; ++x)
-            if (t.covers(dvec2(x + 0.5, y + 0.5))) return true;
-    return false;
+        for (int x = t.x0; x < t.x1; ++x, next <<= 1) {
+            unsigned covered = next;
+            for (int i = 0; i < 3; ++i) {
+                const double px = x + 0.5 - start[i].x, py = y + 0.5 - start[i].y;
+                covered &= sign[i] * (way[i].x * py - way[i].y * px) < 0.0 ? 0u : next;
+            }
+            bits |= covered;
+        }
+    return static_cast<std::uint8_t>(bits);
 }
 
 /// Sets the place of a triangle with these corners, in texels, after clipping. False if it covers no texel
@@ -74,13 +87,24 @@ bool place_on_screen(const std::array<dvec2, 3>& corner, const RasterTarget& tar
         std::swap(t.corner[1], t.corner[2]);
         std::swap(t.of_mesh[0], t.of_mesh[2]);
     }
-    return (t.x1 - t.x0) * (t.y1 - t.y0) >= few_texels || covers_any(t);
+    t.few = (t.x1 - t.x0) * (t.y1 - t.y0) <= RasterTriangle::most_of_few ? covered_few(t) : 0;
+    return t.few != 0 || (t.x1 - t.x0) * (t.y1 - t.y0) > RasterTriangle::most_of_few;
 }
 
-/// Appends a triangle that is placed. `source`: its corners before clipping, (x w, y w, depth w, w) in texels.
-void append(RasterTriangle& placed, const std::array<dvec4, 3>& source, Array<RasterTriangle>& out) {
-    if (depth_plane(source, placed.plane)) out.push_back(placed);
-}
+/// Where the triangles of a block go.
+struct Placed {
+    const std::function<void(const RasterTriangle&)>& draw_few;  ///< may be empty: all are appended
+    Array<RasterTriangle> triangles;
+
+    /// Takes a triangle that is on the screen. `source`: its corners before clipping, (x w, y w, depth w, w) in texels.
+    void take(RasterTriangle& t, const std::array<dvec4, 3>& source) {
+        if (!depth_plane(source, t.plane)) return;
+        if (t.few && draw_few)
+            draw_few(t);
+        else
+            triangles.push_back(t);
+    }
+};
 
 /// A corner of a clipped triangle.
 struct Corner {
@@ -112,14 +136,16 @@ Polygon clipped(const Polygon& whole, int plane) {
 
 /// Appends what both planes leave of a triangle, at most three triangles. `placed`: its mesh and number.
 void append_clipped(const std::array<Corner, 3>& whole, const RasterTarget& target, double away, RasterTriangle placed,
-                    Array<RasterTriangle>& out) {
+                    Placed& out) {
+    for (int plane = 0; plane < 2; ++plane)
+        if (std::all_of(whole.begin(), whole.end(), [&](const Corner& c) { return !(c.inside[plane] >= 0.0); })) return;
     const Polygon polygon = clipped(clipped({{whole[0], whole[1], whole[2]}, 3}, 0), 1);
     const auto texel = [&](int i) { return in_texels(polygon.corner[i].place); };
     const auto of_mesh = [&](int i) { return polygon.corner[i].of_mesh; };
     for (int i = 2; i < polygon.count; ++i)
         if (place_on_screen({texel(0), texel(i - 1), texel(i)}, target, away,
                             {i == 2 && of_mesh(0), of_mesh(i - 1), i + 1 == polygon.count && of_mesh(i)}, placed))
-            append(placed, {whole[0].place, whole[1].place, whole[2].place}, out);
+            out.take(placed, {whole[0].place, whole[1].place, whole[2].place});
 }
 
 /// Unit of work: triangles [begin, end) of one mesh.
@@ -147,80 +173,93 @@ void check_vertices(const RasterMesh& mesh, const Block& block) {
     check(highest < mesh.positions.size(), name_of(block.mesh) + "triangle refers to a missing vertex");
 }
 
-/// Vertices of a mesh in texels. Most are asked for again soon, and are not computed again then.
-class Vertices {
-   public:
-    /// `asks`: how often vertices will be asked for.
-    Vertices(const RasterMesh& mesh, const dmat4& to_texels, std::size_t asks)
-        : mesh_(mesh), to_texels_(to_texels), last_(std::bit_floor(std::min(most, asks)) - 1) {
-        for (std::size_t i = 0; i <= last_; ++i) kept_[i].vertex = none;
-    }
+/// Maps vertices of a mesh to texels, still homogeneous: (x / w * .5 + .5) * size.
+dmat4 to_texels(const RasterMesh& mesh, const RasterTarget& target) {
+    dmat4 of_clip(1.0);
+    of_clip[0][0] = of_clip[3][0] = 0.5 * target.width;
+    of_clip[1][1] = of_clip[3][1] = 0.5 * target.height;
+    return of_clip * target.view_to_clip * mesh.object_to_view;
+}
 
-    struct Kept {
-        Index vertex;
-        std::array<double, 2> inside;  ///< Corner::inside; not negative where it is kept
-        dvec2 texel;
-        dvec4 place;  ///< homogeneous
-    };
+Corner corner_of(const RasterMesh& mesh, const dmat4& to_texels, Index vertex) {
+    const dvec4 point(mesh.positions[vertex], 1.0), place = to_texels * point;
+    return {place, {place.w - place.z, mesh.cut ? -glm::dot(*mesh.cut, point) : 0.0}, true};
+}
 
-    const Kept& at(Index vertex) {
-        Kept& kept = kept_[vertex & last_];
-        if (kept.vertex != vertex) {
-            const dvec4 point(mesh_.positions[vertex], 1.0), place = to_texels_ * point;
-            kept = {
-                vertex, {place.w - place.z, mesh_.cut ? -glm::dot(*mesh_.cut, point) : 0.0}, in_texels(place), place};
-        }
-        return kept;
-    }
+/// A vertex in texels; not a number where one of the planes cuts it off.
+dvec2 texel_of(const Corner& corner) {
+    return corner.inside[0] >= 0.0 && corner.inside[1] >= 0.0 ? in_texels(corner.place) : dvec2(std::nan(""));
+}
 
-   private:
-    static constexpr std::size_t most = 512;
-    const RasterMesh& mesh_;
-    dmat4 to_texels_;
-    std::size_t last_;
-    std::array<Kept, most> kept_;  // by the last digits of their indices
-};
+/// All vertices of a mesh in texels, which is worth it where its triangles use most of them more than once.
+Array<dvec2> vertices_in_texels(const RasterMesh& mesh, const RasterTarget& target) {
+    Array<dvec2> texels;
+    if (mesh.positions.size() > 2 * mesh.triangles.size()) return texels;
+    texels.resize(mesh.positions.size());
+    const dmat4 map = to_texels(mesh, target);
+    parallel_for(texels.size(), 4096, [&](std::size_t i) { texels[i] = texel_of(corner_of(mesh, map, Index(i))); });
+    return texels;
+}
 
-void append_triangles(In<RasterMesh> meshes, const Block& block, const RasterTarget& target,
-                      Array<RasterTriangle>& out) {
-    const RasterMesh& mesh = meshes[block.mesh];
+/// Whether a triangle in texels is turned away for certain, with sides up to `reach`: twice its area has an error far
+/// below the bound. `away`: sign of the area of triangles to cull; 0: none.
+bool surely_away(double area, double away, double reach) { return area * away > 1e-12 * reach * reach; }
+
+/// `texels`: of the mesh's vertices; empty: they are computed as they are asked for.
+void place_triangles(const RasterMesh& mesh, const Block& block, const RasterTarget& target, In<dvec2> texels,
+                     Placed& out) {
     check_vertices(mesh, block);
-    // Maps to texels, still homogeneous: (x / w * .5 + .5) * size.
-    dmat4 to_texels(1.0);
-    to_texels[0][0] = to_texels[3][0] = 0.5 * target.width;
-    to_texels[1][1] = to_texels[3][1] = 0.5 * target.height;
-    Vertices vertices(mesh, to_texels * target.view_to_clip * mesh.object_to_view, 3 * (block.end - block.begin));
+    const dmat4 map = to_texels(mesh, target);
     const double away = away_sign(mesh);
     for (std::size_t i = block.begin; i < block.end; ++i) {
         const glm::uvec3& of = mesh.triangles[i];
-        std::array<dvec2, 3> texel;
-        int kept = 0, of_plane[2] = {0, 0};  // corners that both planes keep, and that each does
-        for (int k = 0; k < 3; ++k) {
-            const Vertices::Kept& vertex = vertices.at(of[k]);
-            const bool beyond = vertex.inside[0] >= 0.0, behind = vertex.inside[1] >= 0.0;
-            of_plane[0] += beyond;
-            of_plane[1] += behind;
-            kept += beyond && behind;
-            texel[k] = vertex.texel;
-        }
         const double cull = i < mesh.one_sided_from ? 0.0 : away;
-        RasterTriangle placed;
-        if (of_plane[0] == 0 || of_plane[1] == 0 ||
-            (kept == 3 && !place_on_screen(texel, target, cull, {true, true, true}, placed)))
+        const auto texel = [&](int k) {
+            return texels.empty() ? texel_of(corner_of(mesh, map, of[k])) : texels[of[k]];
+        };
+        const std::array<dvec2, 3> corner{texel(0), texel(1), texel(2)};
+        const dvec2 first = corner[1] - corner[0], second = corner[2] - corner[0];
+        const double area = first.x * second.y - first.y * second.x;
+        if (surely_away(area, cull, std::abs(first.x) + std::abs(first.y) + std::abs(second.x) + std::abs(second.y)))
             continue;
+        RasterTriangle placed;
+        const bool whole = !std::isnan(corner[0].x) && !std::isnan(corner[1].x) && !std::isnan(corner[2].x);
+        if (whole && !place_on_screen(corner, target, cull, {true, true, true}, placed)) continue;
         placed.mesh = block.mesh;
         placed.triangle = static_cast<Index>(i);
-        const auto corner = [&](int k) {
-            const Vertices::Kept& vertex = vertices.at(of[k]);
-            return Corner{vertex.place, vertex.inside, true};
-        };
-        const std::array<Corner, 3> corners{corner(0), corner(1), corner(2)};
-        if (kept == 3)
-            append(placed, {corners[0].place, corners[1].place, corners[2].place}, out);
+        const std::array<Corner, 3> corners{corner_of(mesh, map, of.x), corner_of(mesh, map, of.y),
+                                            corner_of(mesh, map, of.z)};
+        if (whole)
+            out.take(placed, {corners[0].place, corners[1].place, corners[2].place});
         else
             append_clipped(corners, target, cull, placed, out);
     }
 }
+
+/// Vertices of those meshes of a group of blocks that consist of several blocks, in texels.
+class GroupVertices {
+   public:
+    GroupVertices(In<RasterMesh> meshes, const RasterTarget& target) : meshes_(meshes), target_(target) {}
+
+    /// To the next group; a mesh that goes on in it is not computed again.
+    void go_on_to(In<Block> group) {
+        std::vector<Array<dvec2>> next(group.back().mesh - group.front().mesh + 1);
+        if (!texels_.empty() && first_ + texels_.size() - 1 == group.front().mesh) next[0] = std::move(texels_.back());
+        first_ = group.front().mesh;
+        texels_ = std::move(next);
+        for (std::size_t i = 0; i < texels_.size(); ++i)
+            if (texels_[i].empty() && meshes_[first_ + i].triangles.size() > block_triangles)
+                texels_[i] = vertices_in_texels(meshes_[first_ + i], target_);
+    }
+    /// Empty for others.
+    In<dvec2> of(Index mesh) const { return texels_[mesh - first_]; }
+
+   private:
+    In<RasterMesh> meshes_;
+    const RasterTarget& target_;
+    Index first_ = 0;
+    std::vector<Array<dvec2>> texels_;
+};
 
 /// Screen triangles of a block, and per band of rows the indices of those in it, in mesh order.
 struct Binned {
@@ -228,10 +267,8 @@ struct Binned {
     Lists<Index> bands;
 };
 
-Binned bin_block(In<RasterMesh> meshes, const Block& block, const RasterTarget& target, int bands) {
-    Binned binned;
-    binned.triangles.reserve(block.end - block.begin);
-    append_triangles(meshes, block, target, binned.triangles);
+Binned bin(Array<RasterTriangle> triangles, int bands) {
+    Binned binned{std::move(triangles), {}};
     binned.bands = lists_of<Index>(bands, [&](const auto& give) {
         for (Index i = 0; i < binned.triangles.size(); ++i) {
             const int first = binned.triangles[i].y0 / raster_band_rows;
@@ -290,20 +327,30 @@ TriangleRows::Texels TriangleRows::covered(int y) const {
 }
 
 void draw_triangles(const RasterTarget& target, In<RasterMesh> meshes, const Cancel* cancel,
-                    const std::function<void(const RasterTriangle&, int, int)>& draw) {
+                    const std::function<void(const RasterTriangle&, int, int)>& draw,
+                    const std::function<void(const RasterTriangle&)>& draw_few) {
     for (Index m = 0; m < meshes.size(); ++m)
         check(meshes[m].triangles.size() == meshes[m].triangle_facet.size(),
               name_of(m) + "one facet per triangle expected");
     const std::vector<Block> blocks = divide(meshes);
     const int bands = (target.height + raster_band_rows - 1) / raster_band_rows;
+    GroupVertices vertices(meshes, target);
     // Groups bound the memory. Groups, and the triangles in them, are processed in input order.
     for (std::size_t start = 0, stop = 0; start < blocks.size(); start = stop) {
         if (cancel) cancel->poll();
         for (std::size_t count = 0; stop < std::min(blocks.size(), start + group_blocks) && count < group_triangles;)
             count += blocks[stop].end - blocks[stop].begin, ++stop;
-        std::vector<Binned> binned(stop - start);
-        const auto bin = [&](std::size_t i) { binned[i] = bin_block(meshes, blocks[start + i], target, bands); };
-        parallel_for(binned.size(), 1, bin);
+        const In<Block> group = In<Block>(blocks).subspan(start, stop - start);
+        vertices.go_on_to(group);
+        std::vector<Binned> binned(group.size());
+        parallel_for(group.size(), 1, [&](std::size_t i) {
+            const RasterMesh& mesh = meshes[group[i].mesh];
+            const bool whole = group[i].end - group[i].begin == mesh.triangles.size();
+            const Array<dvec2> own = whole ? vertices_in_texels(mesh, target) : Array<dvec2>();
+            Placed placed{draw_few, {}};
+            place_triangles(mesh, group[i], target, whole ? In<dvec2>(own) : vertices.of(group[i].mesh), placed);
+            binned[i] = bin(std::move(placed.triangles), bands);
+        });
         parallel_for(bands, 1, [&](std::size_t band) {
             const int begin = int(band) * raster_band_rows, end = std::min(begin + raster_band_rows, target.height);
             for (const Binned& part : binned)

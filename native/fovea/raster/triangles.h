@@ -34,6 +34,9 @@ struct RasterTriangle {
     /// or section-plane clipping and by cutting the clipped polygon in two are not, as on the GPU.
     std::array<bool, 3> of_mesh;
     int x0, x1, y0, y1;  ///< texels whose centers are within the bounding box, x1 and y1 exclusive
+    /// If these are at most `most_of_few`: which of them it covers, row by row from the first bit on; else 0.
+    std::uint8_t few;
+    static constexpr int most_of_few = 8;
 
     bool covers(dvec2 p) const;
     double depth(int x, double depth_y) const { return plane.x * (x + 0.5) + depth_y; }
@@ -88,9 +91,11 @@ inline constexpr int raster_band_rows = 16;
 
 /// Calls draw(triangle, y0, y1) for every triangle that may cover a texel center in rows [y0, y1). Bands of rows run in
 /// parallel; within a band, triangles come in the order of the meshes. Triangles are clipped at the near plane but not
-/// at the far plane. Triangles with zero screen area or non-finite coordinates are dropped. Throws
-/// std::invalid_argument for indices out of range.
+/// at the far plane. Triangles with zero screen area or non-finite coordinates are dropped. With `draw_few`, those of
+/// few texels are given to it instead, in any order and from several threads at once, but never while `draw` is called.
+/// Throws std::invalid_argument for indices out of range.
 void draw_triangles(const RasterTarget& target, In<RasterMesh> meshes, const Cancel* cancel,
-                    const std::function<void(const RasterTriangle&, int, int)>& draw);
+                    const std::function<void(const RasterTriangle&, int, int)>& draw,
+                    const std::function<void(const RasterTriangle&)>& draw_few = {});
 
 }  // namespace fovea::raster

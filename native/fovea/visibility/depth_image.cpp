@@ -2,6 +2,7 @@
 #include <fovea/visibility/depth_image.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -34,7 +35,6 @@ class Nearest {
 
     /// Rasterizes rows y0 to y1 (excluded), which lie in one row of tiles.
     void draw(const RasterTriangle& triangle, int y0, int y1) {
-        if ((triangle.x1 - triangle.x0) * (y1 - y0) <= few_texels) return draw_few(triangle, y0, y1);
         int first = triangle.x0 / side, last = (triangle.x1 - 1) / side;
         while (first <= last && hidden(triangle, first, y0, y1)) ++first;
         while (first < last && hidden(triangle, last, y0, y1)) --last;
@@ -50,23 +50,25 @@ class Nearest {
         }
     }
 
-    float* row(int y) { return &image_[std::size_t(y) * width_]; }
-    Array<float> take() { return std::move(image_); }
-
-   private:
-    /// The same texel by texel, of those that are not hidden.
-    void draw_few(const RasterTriangle& triangle, int y0, int y1) {
-        for (int y = y0; y < y1; ++y) {
+    /// Draws a triangle of few texels; of several threads' the nearest stays.
+    void draw_few(const RasterTriangle& triangle) {
+        unsigned bits = triangle.few;
+        for (int y = triangle.y0; bits; ++y) {
             const double depth_y = triangle.depth_y(y);
-            float* const texels = row(y);
-            for (int x = triangle.x0; x < triangle.x1; ++x) {
+            for (int x = triangle.x0; x < triangle.x1; ++x, bits >>= 1) {
+                if (!(bits & 1u)) continue;
+                const std::atomic_ref<float> texel(row(y)[x]);
                 const float here = nearness(triangle.depth(x, depth_y));
-                if (here > texels[x] && triangle.covers(dvec2(x + 0.5, y + 0.5))) texels[x] = here;
+                for (float there = texel.load(std::memory_order_relaxed);
+                     here > there && !texel.compare_exchange_weak(there, here, std::memory_order_relaxed););
             }
         }
     }
 
-    static constexpr int few_texels = 8;
+    float* row(int y) { return &image_[std::size_t(y) * width_]; }
+    Array<float> take() { return std::move(image_); }
+
+   private:
     static constexpr int side = raster_band_rows;
     static constexpr int draws_between_looks = 8;
 
@@ -137,9 +139,10 @@ Array<float> depth_image(const Tracer& tracer, const Cancel& cancel) {
     cancel.poll();
     const View& view = tracer.view();
     Nearest nearest(view);
-    draw_triangles(raster_target(view, depth_layout(view, {.scale = 1, .margin = 0.0})),
-                   from_near_to_far(tracer.scene(), view), &cancel,
-                   [&](const RasterTriangle& triangle, int y0, int y1) { nearest.draw(triangle, y0, y1); });
+    draw_triangles(
+        raster_target(view, depth_layout(view, {.scale = 1, .margin = 0.0})), from_near_to_far(tracer.scene(), view),
+        &cancel, [&](const RasterTriangle& triangle, int y0, int y1) { nearest.draw(triangle, y0, y1); },
+        [&](const RasterTriangle& triangle) { nearest.draw_few(triangle); });
     parallel_for(view.height, 16, [&](std::size_t y) {
         float* const row = nearest.row(int(y));
         const auto each = [&](const auto& distance) { std::transform(row, row + view.width, row, distance); };
