@@ -15,6 +15,7 @@
 #include <fovea/elision/priority.h>
 #include <fovea/path/extract.h>
 #include <fovea/project/project.h>
+#include <fovea/runs/dots.h>
 #include <fovea/runs/filters.h>
 #include <fovea/runs/forks.h>
 #include <fovea/runs/invisibility.h>
@@ -103,6 +104,7 @@ void Frame::filter() {
         const ForkOptions forks{o.contour_spur * scale(), o.fold * scale(), o.joint * scale()};
         found = without_forks(*clipped, found, *paths, *job.scene, forks);
         found = without_tips(*clipped, found, paths->placement, o.tip * scale(), o.beside * scale());
+        found = without_dots(*clipped, found, *paths, *job.scene, o.dot * scale());
         found = without_narrow_strips(*clipped, found, *paths, *job.scene, job.view,
                                       spacing_by_path(*paths, scale(), job.style));
         if (levels > 0) {

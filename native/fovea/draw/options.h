@@ -32,6 +32,7 @@ struct Options {
     double contour_spur = 10.0;  ///< the same in contours, which break up at their ends on smooth surfaces
     double fold = 30.0;          ///< maximum length of folds cut off ends of contours [reference px]
     double tip = 6.0;            ///< maximum size of lines that peek out alone, and are removed [reference px]
+    double dot = 3.0;            ///< maximum size of contours of bumps that are removed [reference px]
     double joint = 2.0;          ///< distance up to which a contour goes on across a fold of itself [reference px]
     double meet = 8.0;           ///< maximum extension of a contour over its own facets, to another line [reference px]
     double beside = 4.0;         ///< distance within which a hidden line beside a visible one is removed [reference px]
@@ -66,6 +67,7 @@ struct Options {
         style::Field{"contour_spur", &Options::contour_spur, "", "", length},
         style::Field{"fold", &Options::fold, "", "", length},
         style::Field{"tip", &Options::tip, "", "", length},
+        style::Field{"dot", &Options::dot, "", "", length},
         style::Field{"joint", &Options::joint, "", "", length},
         style::Field{"meet", &Options::meet, "", "", reach},
         style::Field{"beside", &Options::beside, "", "", reach},

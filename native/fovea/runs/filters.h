@@ -5,9 +5,9 @@
 // threads.
 //
 // Order: without_own_roughness (runs/own_roughness.h), join_folds (runs/join_folds.h), close_gaps, trim_folds,
-// without_forks (runs/forks.h), without_tips, without_narrow_strips (runs/narrow_strips.h), without_beside_visible,
-// without_short_hidden, halo, meet_ends, overshoot. Halo must precede overshoot: otherwise the overshoot past the
-// occluding line survives.
+// without_forks (runs/forks.h), without_tips, without_dots (runs/dots.h), without_narrow_strips (runs/narrow_strips.h),
+// without_beside_visible, without_short_hidden, halo, meet_ends, overshoot. Halo must precede overshoot: otherwise the
+// overshoot past the occluding line survives.
 #pragma once
 
 #include <fovea/visibility/runs.h>
