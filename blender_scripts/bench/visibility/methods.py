@@ -82,6 +82,8 @@ class Method:
         made = pipeline.frame(self.world.placed, self.world.seen(view), self.style, self.backend, self.options)
         with passes(self.backend) as inside:
             made.see()
+        # Of what is seen: filters take folds out of contours, which ones depends on the method.
+        paths, clipped, visibility = made.paths, made.clipped, self.samples(made)
         with passes(self.backend) as drawn:
             made.ink()
         whole = made.stages
@@ -92,7 +94,7 @@ class Method:
         for name, ms in drawn.items():
             if name != "read":
                 stages[name] = stages.get(name, 0.0) + ms
-        return Frame(stages, self.world.placed, made.paths, made.clipped, self.samples(made), view.orthographic)
+        return Frame(stages, self.world.placed, paths, clipped, visibility, view.orthographic)
 
     def samples(self, frame):
         """(samples,) visibility. The spine test has none before drawing, so its probes are evaluated at the samples."""
