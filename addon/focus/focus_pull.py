@@ -43,11 +43,8 @@ class Track:
         self.owner.keyframe_insert(self.name, frame=first)
         setattr(self.owner, self.name, self.end)
         self.owner.keyframe_insert(self.name, frame=last)
-        path = self.owner.path_from_id(self.name)
-        for curves in animation.curves(self.owner.id_data):
-            for curve in curves:
-                if curve.data_path == path:
-                    self._ease(curve, first, last, easing)
+        for curve in animation.channels(self.owner, self.name):
+            self._ease(curve, first, last, easing)
 
     def _ease(self, curve, first, last, easing):
         for point in curve.keyframe_points:

@@ -30,6 +30,10 @@ class Checked:
         return gaze.told(self.gaze, self.names, self.judged)
 
 
+class NeverWins(CannotDraw):
+    """The focus does not win, whatever the emphasis."""
+
+
 def check(context, tell=None):
     """The Checked of the context's scene; `tell` as for `session.final`. CannotDraw if the user canceled it."""
     return _looked(context, lambda drawing: drawing.checked(), tell)
@@ -37,7 +41,7 @@ def check(context, tell=None):
 
 def strengthen(context, tell=None):
     """(emphasis, Checked) of the least emphasis, from that of the scene's style on, at which the focus wins.
-    CannotDraw, with what the eye goes to, if it does not at any."""
+    NeverWins, with what the eye goes to, if it does not at any."""
 
     def search(drawing):
         now = drawing.chosen.effects.emphasis
@@ -48,12 +52,34 @@ def strengthen(context, tell=None):
             return now, before
         emphasis, found = gaze.strengthened(drawing.checked, now, most_emphasis())
         if not found.judged.wins:
-            raise CannotDraw(
+            raise NeverWins(
                 f"{found.sentence}, even with the most emphasis: let more effects answer to focus, or move it"
             )
         return emphasis, found
 
     return _looked(context, search, tell)
+
+
+def strengthen_over(context, frames, tell):
+    """(emphasis by frame, frames at which the focus never wins) of some frames; the scene stays at its frame. NeverWins
+    if it does at none of them."""
+    scene, by_frame, lost = context.scene, {}, []
+    now, subframe = scene.frame_current, scene.frame_subframe
+    try:
+        for number, frame in enumerate(frames):
+            scene.frame_set(frame)
+            try:
+                by_frame[frame], _ = strengthen(
+                    context, lambda share, text, number=number: tell((number + share) / len(frames), text)
+                )
+            except NeverWins as reason:
+                lost.append(frame)
+                last = reason
+    finally:
+        scene.frame_set(now, subframe=subframe)
+    if not by_frame:
+        raise NeverWins(f"Frame {lost[-1]}: {last}") from last
+    return by_frame, lost
 
 
 def most_emphasis():

@@ -48,9 +48,14 @@ def own_action(tree):
 
 def is_keyed(group, name):
     """Whether a property of a group of properties has an F-curve."""
+    return any(True for _ in channels(group, name))
+
+
+def channels(group, name):
+    """Yields the F-curves of a property of a group of properties."""
     owner, path = group.id_data, group.path_from_id(name)
-    found = curves(owner) if owner.animation_data else ()
-    return any(curve.data_path == path for of_action in found for curve in of_action)
+    for of_action in curves(owner) if owner.animation_data else ():
+        yield from (curve for curve in of_action if curve.data_path == path)
 
 
 def curves(animated):

@@ -91,6 +91,41 @@ def test_an_emphasis_that_is_keyed_is_keyed_at_this_frame(scene):
     assert effects.emphasis == pytest.approx(strong) and strong > 0.1
 
 
+def test_over_time_the_emphasis_is_keyed_where_it_is_looked_for_and_never_beyond_two_keys(scene):
+    effects = style_data.own(scene).effects
+    for frame, emphasis in ((0, 0.2), (5, 3.0), (30, 0.2)):
+        effects.emphasis = emphasis
+        effects.keyframe_insert("emphasis", frame=frame)
+    focused = scene.fovea.focus_object
+    for frame, x in ((1, 5), (21, 6)):
+        focused.location.x = x
+        focused.keyframe_insert("location", frame=frame)
+    scene.frame_set(7)
+    assert bpy.ops.fovea.strengthen_focus_over_time(frame_start=1, frame_end=21, step=8) == {"FINISHED"}
+    assert scene.frame_current == 7
+    (curve,) = part("scene.animation").channels(effects, "emphasis")
+    assert [point.co.x for point in curve.keyframe_points] == [0, 1, 9, 17, 21, 30]
+    keyed = {int(point.co.x): point.co.y for point in curve.keyframe_points}
+    for frame in (1, 9, 17, 21):
+        scene.frame_set(frame)
+        assert effects.emphasis == pytest.approx(keyed[frame], rel=1e-5)
+        assert gaze_check.check(bpy.context).judged.wins
+    for first, last in ((1, 9), (9, 17), (17, 21)):
+        low, high = sorted((keyed[first], keyed[last]))
+        between = [curve.evaluate(frame) for frame in range(first, last)]
+        assert low - 1e-5 <= min(between) and max(between) <= high + 1e-5
+
+
+def test_over_time_it_says_where_the_focus_never_wins(scene):
+    for line_set in style_data.own(scene).line_sets:
+        line_set.away = False
+    with pytest.raises(RuntimeError, match="Frame 5: The eye goes .*even with the most emphasis"):
+        bpy.ops.fovea.strengthen_focus_over_time(frame_start=1, frame_end=5, step=2)
+    assert not part("scene.animation").is_keyed(style_data.own(scene).effects, "emphasis")
+    with pytest.raises(RuntimeError, match="ends before it starts"):
+        bpy.ops.fovea.strengthen_focus_over_time(frame_start=9, frame_end=5)
+
+
 def test_where_nothing_answers_to_focus_it_says_what_the_eye_goes_to(scene):
     for line_set in style_data.own(scene).line_sets:
         line_set.away = False
