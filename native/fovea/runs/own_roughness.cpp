@@ -39,7 +39,11 @@ bool is_rough(const ClippedPaths& clipped, const Paths& paths, const Tracer& tra
 Runs without_own_roughness(const ClippedPaths& clipped, const Paths& paths, const Tracer& tracer, const Runs& visible,
                            double gap_px) {
     check_same_paths(clipped, paths, "without_own_roughness");
-    const auto wanted = [&](Index path) { return paths.of_view[path] == ends_at_cusps; };
+    const auto wanted = [&](Index path) {
+        const Index placement = paths.placement[path];
+        return paths.of_view[path] != 0 && placement != none &&
+               !tracer.scene().placements[placement].surface->is_edge(paths.place[paths.rows.begin(path)]);
+    };
     const Rows rows = runs_of_pieces(clipped, visible);
     return runs_by_blocks(clipped.path.size(), 64, [&](Runs& out, std::size_t first, std::size_t last) {
         std::vector<Span> spans;
