@@ -10,6 +10,7 @@ using namespace glm;
 
 struct Elision {
 #include <shared/elision.glsl>
+#include <shared/precedence.glsl>
 };
 
 }  // namespace formulas
@@ -27,7 +28,8 @@ class Window {
           ends_(own.ends[s]),
           figure_(own.figure[s]),
           shortness_(f_.elision_shortness(band_, figure_)),
-          rank_(std::uint32_t(band_.y)) {}
+          rank_(std::uint32_t(band_.y)),
+          precedence_(precedence_of(rank_)) {}
 
     vec2 sum() {
         const int rows = f_.elision_rows(band_, most_window_rows);
@@ -83,25 +85,29 @@ class Window {
     vec2 pixel(const Column& column, int k) {
         const std::size_t here = std::size_t(column.y[k]) * buffer_.width + std::size_t(column.x[k]);
         const float own = column.own[k];
-        float taken = 0.0f;
         const PriorityTexel& first = buffer_.first[here];
-        if (first.rank > rank_) {
-            const vec2 left(-place_.w, place_.z), away = column.v[k] < 0.0f ? -left : left;
-            taken = lost(first, own, column.u[k], away);
-            if (first.crossed && buffer_.second[here].rank > rank_)
-                taken = std::max(taken, lost(buffer_.second[here], own, column.u[k], away));
-        }
+        const vec2 left(-place_.w, place_.z), away = column.v[k] < 0.0f ? -left : left;
+        float taken = lost(first, own, column.u[k], away);
+        if (first.crossed) taken = std::max(taken, lost(buffer_.second[here], own, column.u[k], away));
         return column.inside[k] * vec2(taken, own);
+    }
+
+    vec3 precedence_of(std::uint32_t rank) const {
+        return own_.precedence_of_rank.empty() ? vec3(rank, rank, 0.0f) : own_.precedence_of_rank[rank];
     }
 
     /// The part of a pixel that is lost to another line.
     float lost(const PriorityTexel& other, float own, float u, vec2 away) {
+        if (other.rank == 0 || other.rank == rank_) return 0.0f;
+        const float before = f_.precedence(precedence_, precedence_of(other.rank));
+        if (before == 0.0f) return 0.0f;
         const vec2 across = vec2(other.away_x, other.away_y) / PriorityTexel::away_unit;
         const float others = other.rank < own_.figure_of_rank.size() ? own_.figure_of_rank[other.rank] : -1.0f;
         const float foreign = f_.elision_foreign(figure_, others);
         if (foreign == 0.0f) return 0.0f;
-        return foreign * f_.elision_lost(place_, band_, own, u, away, across, other.right != 0,
-                                         float(other.coverage) / 255.0f, meets(other.rank), shortness_, own_.reach_px);
+        return before * foreign *
+               f_.elision_lost(place_, band_, own, u, away, across, other.right != 0, float(other.coverage) / 255.0f,
+                               meets(other.rank), shortness_, own_.reach_px);
     }
 
     /// How far one of the run's ends, if near, lies in the band of the line of this rank, in [0, 1]. Evaluated lazily,
@@ -151,6 +157,7 @@ class Window {
     vec3 figure_;
     float shortness_;
     std::uint32_t rank_;
+    vec3 precedence_;
     bool knows_ends_ = false;
     End at_ends_[2][8];
 };

@@ -14,14 +14,19 @@ using namespace glm;
 
 struct Band {
 #include <shared/band.glsl>
+#include <shared/precedence.glsl>
 };
 
 }  // namespace formulas
 
 namespace {
 
-bool cross(const PriorityTexel& a, const PriorityTexel& b) {
-    return formulas::Band{}.bands_cross(vec2(a.away_x, a.away_y), vec2(b.away_x, b.away_y));
+/// Whether a band shows to others where it lies under another one.
+bool shows_under(const PriorityTexel& first, const PriorityTexel& other, In<vec3> precedence_of_rank) {
+    formulas::Band formula;
+    if (formula.bands_cross(vec2(first.away_x, first.away_y), vec2(other.away_x, other.away_y))) return true;
+    return !precedence_of_rank.empty() &&
+           formula.is_passing(precedence_of_rank[first.rank], precedence_of_rank[other.rank]);
 }
 
 /// Whether no band of this rank changes the entry.
@@ -30,17 +35,18 @@ bool is_settled(const PriorityTexel& first, std::uint32_t rank) {
 }
 
 /// Bands are drawn by descending rank, so the first entry stays.
-void put(PriorityBuffer& buffer, std::size_t pixel, const PriorityTexel& texel) {
+void put(PriorityBuffer& buffer, std::size_t pixel, const PriorityTexel& texel, In<vec3> precedence_of_rank) {
     PriorityTexel& first = buffer.first[pixel];
     if (first.rank == 0) {
         first = texel;
-    } else if (!is_settled(first, texel.rank) && cross(first, texel)) {
+    } else if (!is_settled(first, texel.rank) && shows_under(first, texel, precedence_of_rank)) {
         first.crossed = 1;
         buffer.second[pixel] = texel;
     }
 }
 
-void draw_triangle(const Bands& bands, Index t, const PixelBox& tile, PriorityBuffer& buffer) {
+void draw_triangle(const Bands& bands, Index t, const PixelBox& tile, In<vec3> precedence_of_rank,
+                   PriorityBuffer& buffer) {
     const glm::uvec3 c = bands.triangles[t];
     const FixedTriangle shape(bands.px[c[0]], bands.px[c[1]], bands.px[c[2]]);
     const PixelBox box = intersect(shape.box(), tile);
@@ -62,14 +68,15 @@ void draw_triangle(const Bands& bands, Index t, const PixelBox& tile, PriorityBu
             texel.right = formula.band_ends_right(place);
             texel.away_x = int(std::lround(owner.x * away));
             texel.away_y = int(std::lround(owner.y * away));
-            put(buffer, pixel, texel);
+            put(buffer, pixel, texel, precedence_of_rank);
         }
     }
 }
 
 }  // namespace
 
-PriorityBuffer draw_priorities(const Bands& bands, int width, int height, const Cancel* cancel) {
+PriorityBuffer draw_priorities(const Bands& bands, int width, int height, In<vec3> precedence_of_rank,
+                               const Cancel* cancel) {
     check(width > 0 && height > 0, "priority buffer: the picture needs a positive width and height");
     PriorityBuffer buffer{width, height, {}, {}};
     buffer.first.resize(std::size_t(width) * height);
@@ -78,7 +85,7 @@ PriorityBuffer draw_priorities(const Bands& bands, int width, int height, const 
         if (cancel) cancel->poll();
         for (int row = tile.y0; row < tile.y1; ++row)
             std::fill_n(&buffer.first[std::size_t(row) * width + tile.x0], tile.x1 - tile.x0, PriorityTexel{});
-        for (const Index t : triangles) draw_triangle(bands, t, tile, buffer);
+        for (const Index t : triangles) draw_triangle(bands, t, tile, precedence_of_rank, buffer);
     });
     return buffer;
 }

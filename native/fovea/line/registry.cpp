@@ -89,6 +89,14 @@ Kinds kinds_in_section() {
     return bits;
 }
 
+double importance_of(Kinds kinds) {
+    const auto& all = line_definitions();
+    double importance = 0.0;
+    for (Index i = 0; i < all.size(); ++i)
+        if (kinds >> i & 1) importance = std::max(importance, all[i]->importance);
+    return importance;
+}
+
 Kinds kind_of(const LineDefinition& definition) {
     return kinds_that([&](const LineDefinition& other) { return &other == &definition; });
 }

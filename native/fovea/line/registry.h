@@ -27,6 +27,9 @@ Values values_of(const LineDefinition& definition, std::span<const std::pair<std
 /// The bit of a definition.
 Kinds kind_of(const LineDefinition& definition);
 
+/// Greatest importance among some kinds; 0 for none.
+double importance_of(Kinds kinds);
+
 /// Bits of the definitions that find contours of the smooth surface, whole or in part.
 Kinds smooth_contours();
 
