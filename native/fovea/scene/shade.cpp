@@ -28,6 +28,15 @@ dvec3 weights_at(const std::array<dvec3, 3>& corner, const dvec3& point) {
     return weights / (weights.x + weights.y + weights.z);
 }
 
+/// How normals at the corners of a triangle turn along a way, into it: positive where the surface bends away from them.
+double bend_along(const std::array<dvec3, 3>& corner, const std::array<dvec3, 3>& normal, const dvec3& way) {
+    const dvec3 area = glm::cross(corner[1] - corner[0], corner[2] - corner[0]);
+    dvec3 turn(0.0);
+    for (int k = 0; k < 3; ++k)
+        turn += glm::dot(glm::cross(corner[(k + 2) % 3] - corner[(k + 1) % 3], way), area) * normal[k];
+    return glm::dot(turn, way);
+}
+
 dvec3 unit_or_zero(const dvec3& v) {
     const double length = glm::length(v);
     return length > 0.0 ? v / length : dvec3(0.0);
@@ -40,6 +49,7 @@ ShadedSurface::ShadedSurface(const Scene& scene, Index placement, const dvec4& v
       placement_(placement),
       to_world_(scene.placements[placement].object_to_world),
       normals_to_world_(glm::transpose(glm::inverse(dmat3(to_world_)))),
+      viewer_(viewer),
       viewer_obj_(glm::inverse(to_world_) * viewer),
       bodies_(bodies_of(*surface_)) {
     const dvec3 center(surface_->center);
@@ -48,10 +58,14 @@ ShadedSurface::ShadedSurface(const Scene& scene, Index placement, const dvec4& v
     if (field::shape_of(*surface_) == Shape::smooth) smooth_ = field::corner_normals(*surface_);
 }
 
+bool ShadedSurface::is_solid(Index facet) const {
+    const Index body = bodies_->of_facet[facet];
+    return body != none && bodies_->solid[body];
+}
+
 /// Whether the side that is looked at is that of the facet's back.
 bool ShadedSurface::is_turned(Index facet) const {
-    const Index body = bodies_->of_facet[facet];
-    if (body != none && bodies_->solid[body]) return !bodies_->outward[body];
+    if (is_solid(facet)) return !bodies_->outward[bodies_->of_facet[facet]];
     const vec4& plane = surface_->facet_plane[facet];
     return glm::dot(dvec4(plane.x, plane.y, plane.z, -plane.w), viewer_obj_) < 0.0;
 }
@@ -68,7 +82,7 @@ bool ShadedSurface::faces_viewer(Index facet) const {
     return front != is_turned(facet);
 }
 
-ShadedPlace ShadedSurface::at(Index triangle, const dvec3& point) const {
+ShadedPlace ShadedSurface::at(Index triangle, const dvec3& point, bool contour) const {
     const Index facet = surface_->triangle_facet[triangle];
     const dvec3 flat = facet_normal(facet);
     if (!smooth_) return {point + lift_ * flat, flat, {.placement = placement_, .facet = facet}};
@@ -77,8 +91,11 @@ ShadedPlace ShadedSurface::at(Index triangle, const dvec3& point) const {
     for (int k = 0; k < 3; ++k) {
         corner[k] = dvec3(to_world_ * dvec4(dvec3(surface_->positions[vertices[k]]), 1.0));
         normal[k] = unit_or_zero(normals_to_world_ * dvec3(smooth_->at(vertices, triangle, k)));
-        if (is_turned(facet)) normal[k] = -normal[k];
     }
+    const bool bends = contour && !is_solid(facet);
+    const dvec3 to_viewer = viewer_.w == 0.0 ? dvec3(viewer_) : dvec3(viewer_) / viewer_.w - point;
+    if (bends ? bend_along(corner, normal, to_viewer) < 0.0 : is_turned(facet))
+        for (dvec3& n : normal) n = -n;
     const dvec3 weights = weights_at(corner, point);
     dvec3 mean(0.0);
     double height = 0.0;

@@ -37,8 +37,9 @@ class ShadedSurface {
     /// it.
     ShadedSurface(const Scene& scene, Index placement, const dvec4& viewer);
 
-    /// The place at a point (in the world) on a triangle, or near it in its plane.
-    ShadedPlace at(Index triangle, const dvec3& point) const;
+    /// The place at a point (in the world) on a triangle, or near it in its plane. `contour`: it is on the contour of
+    /// the smooth surface, where one sees the side to which that bends away from the viewer.
+    ShadedPlace at(Index triangle, const dvec3& point, bool contour = false) const;
     /// A place on no facet, as of a loose edge.
     ShadedPlace without_facet(const dvec3& point) const { return {point, dvec3(0.0), {.placement = placement_}}; }
     /// Unit normal of a facet on the side that is looked at, in the world; 0 if it has no area.
@@ -55,11 +56,12 @@ class ShadedSurface {
     Index placement_;
     dmat4 to_world_;
     dmat3 normals_to_world_;
-    dvec4 viewer_obj_;
+    dvec4 viewer_, viewer_obj_;
     double lift_;
     std::shared_ptr<const Bodies> bodies_;
     std::shared_ptr<const field::CornerNormals> smooth_;  // null: facets are meant as they are
 
+    bool is_solid(Index facet) const;
     bool is_turned(Index facet) const;
 };
 
