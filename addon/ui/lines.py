@@ -60,7 +60,8 @@ def _draw_list(layout, owner, members, index, name, rows):
 
 
 def draw_filter(layout, line_set):
-    """Draws the filters of a line set by collection, object and material, each with a button to invert it."""
+    """Draws the filters of a line set: by collection, object and material, each with a button to invert it; by the shape
+    of surfaces, and by light."""
     column = layout.column()
     for name, others in FILTERS.items():
         chosen, known = getattr(line_set, name), KINDS[name]
@@ -73,6 +74,7 @@ def draw_filter(layout, line_set):
         turn.active = bool(chosen)
         turn.prop(line_set, others, text="", icon="ARROW_LEFTRIGHT")
     column.prop(line_set, "surfaces")
+    column.prop(line_set, "light")
 
 
 def is_for_all(line_set):

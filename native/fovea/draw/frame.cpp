@@ -70,9 +70,15 @@ void Frame::find() {
     stage("bvh", 0.2, [&] { rays(); });
     const double step_px = std::max(job.options.sample_step * scale(), least_sample_step_px);
     stage("lines", 0.1, [&] {
-        const std::vector<LineSet> sets = line_sets_of(job.style, job.overrides);
-        paths = std::make_shared<Paths>(extract_paths(*job.scene, job.view, sets, *tracer, cancel(),
-                                                      job.overrides.lines, job.options.all_paths ? 0.0 : step_px));
+        const SharedSets shared = shared_by_light(line_sets_of(job.style, job.overrides), job.style);
+        Paths found = extract_paths(*job.scene, job.view, shared.sets, *tracer, cancel(), job.overrides.lines,
+                                    job.options.all_paths ? 0.0 : step_px);
+        owners_ = shared.owners;
+        if (!owners_.empty()) {
+            owners_of_path_ = found.line_set;
+            for (std::uint8_t& set : found.line_set) set = std::uint8_t(std::ranges::min(owners_[set]));
+        }
+        paths = std::make_shared<Paths>(std::move(found));
     });
     stage("project", 0.15, [&] {
         ProjectOptions options{.sample_step_px = step_px};
@@ -115,6 +121,7 @@ void Frame::filter() {
             if (levels > 1) found = count_invisibility(*clipped, *paths, *tracer, found, levels, cancel());
         }
         found = without_inner_outlines(*clipped, *paths, *tracer, std::move(found), outline_step * scale(), cancel());
+        if (!owners_.empty()) part_by_light(found);
         runs = std::make_shared<Runs>(std::move(found));
         focus = focus_along_lines();
         distance = distance_along_lines();
@@ -134,6 +141,16 @@ void Frame::unfold() {
         samples = parallel_map<float>(clipped->samples, [&](std::size_t s) { return all[unfolded.sample[s]]; });
     }
     visible = std::make_shared<Runs>(std::move(unfolded.runs));
+}
+
+/// Gives parts of lines to line sets by their light: replaces `paths`, `clipped` and `samples`.
+void Frame::part_by_light(Runs& found) {
+    LitLines parted = shared_out({paths, clipped, std::move(found), std::move(samples)}, owners_of_path_, owners_,
+                                 *job.scene, job.view, job.options.gap * scale(), cancel());
+    paths = std::move(parted.paths);
+    clipped = std::move(parted.clipped);
+    samples = std::move(parted.samples);
+    found = std::move(parted.runs);
 }
 
 void Frame::thin() {

@@ -12,6 +12,7 @@
 
 #include <fovea/color/layer.h>
 #include <fovea/draw/backend.h>
+#include <fovea/draw/by_light.h>
 #include <fovea/draw/exposure.h>
 #include <fovea/draw/found_lines.h>
 #include <fovea/draw/line_passes.h>
@@ -82,7 +83,8 @@ class Frame {
     // Filled by find():
     std::shared_ptr<const Tracer> tracer;
     std::shared_ptr<const Paths> paths;
-    std::shared_ptr<const ClippedPaths> clipped;  ///< from filter() on without folds of contours, as the next two
+    std::shared_ptr<const ClippedPaths> clipped;  ///< from filter() on without folds of contours, as the next two, and
+                                                  ///< with its paths parted by light
     // By see():
     std::shared_ptr<const Runs> visible;
     Array<float> samples;  ///< visibility per atlas sample, for fading the ends of strokes; empty: sharp
@@ -145,6 +147,7 @@ class Frame {
     bool has(Step step) const { return done_ >= step; }
     void stage(const char* name, double share, const std::function<void()>& body);
     void unfold();
+    void part_by_light(Runs& found);
     void leave_out_faint();
     Runs with_halos() const;
     Runs over_frames(Runs runs);
@@ -165,6 +168,8 @@ class Frame {
     Array<Index> pen_of_run_;
     Array<float> at_ends_;  // as `samples`, where those are not of what is drawn
     std::shared_ptr<const FoundLines> found_;
+    std::vector<Owners> owners_;          // of lines, by shade; empty: no line set asks for light
+    Array<std::uint8_t> owners_of_path_;  // index into owners_
     PenPaints pen_paints_;
     Step done_ = Step::none;
     double share_ = 0.0;

@@ -48,6 +48,18 @@ inline constexpr Choice choices_of<line::Surfaces>[] = {
     {"smooth", "Smooth", "Only surfaces whose faces approximate a smooth shape well"},
 };
 
+/// Parts of lines by what the scene's lights do to the surface there (scene/shade.h).
+enum class LightFilter : std::uint8_t { any, lit, shaded, attached, cast };
+
+template <>
+inline constexpr Choice choices_of<LightFilter>[] = {
+    {"any", "Any", "Lines of this set are drawn in light and in shade"},
+    {"lit", "Lit", "Only the parts of lines that a light of the scene shines on"},
+    {"shaded", "In Shade", "Only the parts of lines that no light of the scene shines on"},
+    {"attached", "Attached Shadow", "Only the parts of lines where surfaces turn away from all lights"},
+    {"cast", "Cast Shadow", "Only the parts of lines in shade that a light would shine on if nothing were between"},
+};
+
 /// Line definitions with common filters and pens. An edge belongs to the first line set of the style that draws it.
 struct LineSet {
     std::string name = "lines";
@@ -59,6 +71,7 @@ struct LineSet {
     std::string material;
     bool other_materials = false;
     line::Surfaces surfaces = line::Surfaces::all;
+    LightFilter light = LightFilter::any;
     double corner_angle = 60.0;  ///< turning angle above which a path is split
     double least_length = 30.0;
     double overshoot = 0.0;
@@ -90,6 +103,8 @@ struct LineSet {
         Field{"other_materials", &LineSet::other_materials, "Other Materials",
               "Only lines on faces of other materials are of this set"},
         Field{"surfaces", &LineSet::surfaces, "Surfaces", "Which surfaces have the lines of this set, by their shape"},
+        Field{"light", &LineSet::light, "Light",
+              "Which parts of lines are of this set, by whether lights that cast shadows shine on them"},
         Field{"corner_angle",
               &LineSet::corner_angle,
               "Corner Angle",

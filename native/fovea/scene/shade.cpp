@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fovea/scene/shade.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <fovea/base/parallel.h>
+#include <fovea/field/shape.h>
+#include <fovea/scene/light_view.h>
+
+namespace fovea::scene {
+namespace {
+
+/// Sine of the height of a light above a surface up to which it is behind it: light along a wall does not light it.
+/// More than light_view.h moves lights by.
+constexpr double along_surface = 0x1p-20;
+
+/// Weights of the triangle's corners at a point, clamped to the triangle.
+dvec3 weights_at(const std::array<dvec3, 3>& corner, const dvec3& point) {
+    const dvec3 normal = glm::cross(corner[1] - corner[0], corner[2] - corner[0]);
+    const double twice = glm::dot(normal, normal);
+    if (!(twice > 0.0)) return dvec3(1.0 / 3.0);
+    dvec3 weights;
+    for (int k = 0; k < 3; ++k) {
+        const dvec3 side = corner[(k + 2) % 3] - corner[(k + 1) % 3];
+        weights[k] = std::max(0.0, glm::dot(glm::cross(side, point - corner[(k + 1) % 3]), normal) / twice);
+    }
+    return weights / (weights.x + weights.y + weights.z);
+}
+
+/// How normals at the corners of a triangle turn along a way, into it: positive where the surface bends away from them.
+double bend_along(const std::array<dvec3, 3>& corner, const std::array<dvec3, 3>& normal, const dvec3& way) {
+    const dvec3 area = glm::cross(corner[1] - corner[0], corner[2] - corner[0]);
+    dvec3 turn(0.0);
+    for (int k = 0; k < 3; ++k)
+        turn += glm::dot(glm::cross(corner[(k + 2) % 3] - corner[(k + 1) % 3], way), area) * normal[k];
+    return glm::dot(turn, way);
+}
+
+dvec3 unit_or_zero(const dvec3& v) {
+    const double length = glm::length(v);
+    return length > 0.0 ? v / length : dvec3(0.0);
+}
+
+}  // namespace
+
+ShadedSurface::ShadedSurface(const Scene& scene, Index placement, const dvec4& viewer)
+    : surface_(scene.placements[placement].surface.get()),
+      placement_(placement),
+      to_world_(scene.placements[placement].object_to_world),
+      normals_to_world_(glm::transpose(glm::inverse(dmat3(to_world_)))),
+      viewer_(viewer),
+      viewer_obj_(glm::inverse(to_world_) * viewer),
+      bodies_(bodies_of(*surface_)) {
+    const dvec3 center(surface_->center);
+    const double scale = std::max({glm::length(to_world_[0]), glm::length(to_world_[1]), glm::length(to_world_[2])});
+    lift_ = 0x1p-19 * scale * (glm::length(center) + double(surface_->radius));
+    if (field::shape_of(*surface_) == Shape::smooth) smooth_ = field::corner_normals(*surface_);
+}
+
+bool ShadedSurface::is_solid(Index facet) const {
+    const Index body = bodies_->of_facet[facet];
+    return body != none && bodies_->solid[body];
+}
+
+/// Whether the side that is looked at is that of the facet's back.
+bool ShadedSurface::is_turned(Index facet) const {
+    if (is_solid(facet)) return !bodies_->outward[bodies_->of_facet[facet]];
+    const vec4& plane = surface_->facet_plane[facet];
+    return glm::dot(dvec4(plane.x, plane.y, plane.z, -plane.w), viewer_obj_) < 0.0;
+}
+
+dvec3 ShadedSurface::facet_normal(Index facet) const {
+    // The plane's normal is that of the winding in object space, and so is what its inverse transpose makes of it.
+    const dvec3 normal = unit_or_zero(normals_to_world_ * dvec3(surface_->facet_plane[facet]));
+    return is_turned(facet) ? -normal : normal;
+}
+
+bool ShadedSurface::faces_viewer(Index facet) const {
+    const vec4& plane = surface_->facet_plane[facet];
+    const bool front = glm::dot(dvec4(plane.x, plane.y, plane.z, -plane.w), viewer_obj_) >= 0.0;
+    return front != is_turned(facet);
+}
+
+ShadedPlace ShadedSurface::at(Index triangle, const dvec3& point, bool contour) const {
+    const Index facet = surface_->triangle_facet[triangle];
+    const dvec3 flat = facet_normal(facet);
+    if (!smooth_) return {point + lift_ * flat, flat, {.placement = placement_, .facet = facet}};
+    const Triangle& vertices = surface_->triangles[triangle];
+    std::array<dvec3, 3> corner, normal;
+    for (int k = 0; k < 3; ++k) {
+        corner[k] = dvec3(to_world_ * dvec4(dvec3(surface_->positions[vertices[k]]), 1.0));
+        normal[k] = unit_or_zero(normals_to_world_ * dvec3(smooth_->at(vertices, triangle, k)));
+    }
+    const bool bends = contour && !is_solid(facet);
+    const dvec3 to_viewer = viewer_.w == 0.0 ? dvec3(viewer_) : dvec3(viewer_) / viewer_.w - point;
+    if (bends ? bend_along(corner, normal, to_viewer) < 0.0 : is_turned(facet))
+        for (dvec3& n : normal) n = -n;
+    const dvec3 weights = weights_at(corner, point);
+    dvec3 mean(0.0);
+    double height = 0.0;
+    for (int k = 0; k < 3; ++k) {
+        mean += weights[k] * normal[k];
+        // Above a sphere this is twice the height of the sphere above its triangles.
+        height += weights[k] * glm::dot(normal[k], corner[k] - point);
+    }
+    mean = unit_or_zero(mean);
+    return {point + (lift_ + std::max(height, 0.0)) * mean, mean, {.placement = placement_, .around = vertices}};
+}
+
+Shades::Shades(const Scene& scene, std::size_t most) : lights_(casting_lights(scene, most, false)) {
+    for (const Light& light : lights_)
+        tracers_.push_back(std::make_unique<const Tracer>(scene, view_from(light, scene)));
+}
+
+Shade Shades::by(std::size_t number, const ShadedPlace& place) const {
+    const Light& light = lights_[number];
+    const Tracer& tracer = *tracers_[number];
+    const dmat4& to_light = tracer.view().world_to_view;
+    const dvec3 seen(to_light * dvec4(place.point, 1.0));
+    const bool of_sun = tracer.view().orthographic;
+    const double distance = glm::length(seen);
+    if (!std::isfinite(distance)) return Shade::cast;
+    if (place.normal != dvec3(0.0)) {
+        const dvec3 towards = of_sun ? dvec3(0, 0, 1) : -seen / std::max(distance, 1e-300);
+        if (glm::dot(dmat3(to_light) * place.normal, towards) <= along_surface) return Shade::attached;
+    }
+    const double cone = cone_of(light);
+    if (cone > -1.0 && glm::dot(seen, light.direction) < cone * distance) return Shade::cast;
+    // What is on no facet may lie on others.
+    const double before = place.normal == dvec3(0.0) ? 1.0 - ray_margin : 1.0;
+    const std::optional<Hit> hit = tracer.along(seen, place.ignore);
+    return hit && hit->t < before ? Shade::cast : Shade::lit;
+}
+
+Shade Shades::at(const ShadedPlace& place) const {
+    Shade all = lights_.empty() ? Shade::lit : Shade::attached;
+    for (std::size_t i = 0; i < lights_.size(); ++i) {
+        const Shade one = by(i, place);
+        if (one == Shade::lit) return one;
+        if (one == Shade::cast) all = one;
+    }
+    return all;
+}
+
+Array<Shade> Shades::at(In<ShadedPlace> places) const {
+    Array<Shade> shades(places.size());
+    parallel_for(places.size(), 64, [&](std::size_t i) { shades[i] = at(places[i]); });
+    return shades;
+}
+
+}  // namespace fovea::scene
