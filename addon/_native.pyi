@@ -779,7 +779,8 @@ class Paths:
         """(P,) uint8: 1 where the start touches no other line, 2 where the end does not"""
     @property
     def of_view(self) -> NDArray[numpy.uint8]:
-        """(P,) uint8: nonzero if the path depends on the view; 2: a contour whose ends are cusps"""
+        """(P,) uint8: nonzero if the path depends on the view; 2: a contour whose ends are cusps; 3: one of many that
+        make a tone, which do not fold, and at which others do not go on"""
     @property
     def points_obj(self) -> NDArray[numpy.float32]:
         """(N, 3) float32"""

@@ -64,7 +64,7 @@ def line(name, path):
     shown = pages.LINES[name]
     open_model(shown.model)
     faint = draw_lines(shown, shown.beneath, shown.beneath_params, FAINT, path)
-    return np.minimum(faint, draw_lines(shown, (name,), (), BOLD, path))
+    return np.minimum(faint, draw_lines(shown, (name,), shown.params, BOLD, path))
 
 
 def stage(name, path):

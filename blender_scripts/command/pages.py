@@ -21,6 +21,7 @@ class Picture:
     camera: tuple  # options of `fovea draw`
     beneath: tuple = SHAPE  # line definitions drawn faintly below
     beneath_params: tuple = ()  # options of `fovea draw` for these
+    params: tuple = ()  # for its own lines
 
 
 def _seen(azimuth, elevation):
@@ -59,6 +60,9 @@ _CHOSEN = {  # definition -> its picture; the others are drawn on the monkey
     "section_cut": Picture(*CUT_PART),
     "section_hatch": Picture(*CUT_PART, ("contour", "crease", "section_cut")),
     "cast_shadow": Picture(LESSON + "shadows", _seen(-40, 28), ("contour", "crease")),
+    "hatching": Picture(
+        LESSON + "shadows", _seen(-40, 28), ("contour", "crease"), params=_params("hatching.spacing=12")
+    ),
 }
 # Every definition that has a page.
 LINES = {

@@ -53,7 +53,7 @@ def renew(reference, new):
 def test_every_reference_has_a_scene_and_together_they_are_small():
     references = list(REFERENCES.glob("*"))
     assert {file.stem for file in references} <= set(golden_scenes.SCENES)
-    assert sum(file.stat().st_size for file in references) < 1 << 20
+    assert sum(file.stat().st_size for file in references) < 5 << 18
 
 
 @pytest.fixture(params=golden_scenes.SCENES)

@@ -109,7 +109,7 @@ def test_a_picture_is_small(name):
 @pytest.mark.parametrize("name", pages.LINES)
 def test_a_line_is_shown_by_words_that_draw_understands(name):
     shown = pages.LINES[name]
-    options = draw_options.parse([*shown.camera, *shown.beneath_params])
+    options = draw_options.parse([*shown.camera, *shown.beneath_params, *shown.params])
     assert options.azimuth is not None and set(shown.beneath) <= set(DEFINITIONS)
     if shown.model.startswith(pages.LESSON):
         lessons = (PROJECT / "blender_scripts" / "scenes" / "lessons.py").read_text(encoding="utf-8")

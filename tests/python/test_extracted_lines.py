@@ -193,6 +193,13 @@ def test_a_cube_over_a_floor_casts_a_square(extract_from, light, perimeter):
     assert np.linalg.norm(np.diff(found["points"], axis=0), axis=1).sum() == pytest.approx(perimeter, abs=1e-3)
 
 
+def test_a_floor_is_hatched_in_the_shadow_of_a_cube(extract_from):
+    words = "--sun", "0,0,1", "--param", "families=1", "--param", "light=0.5"
+    found = extract_from(CUBE + FLOOR)("--definition", "hatching", "--eye", "3,-8,9", *words)
+    on_floor = found["points"][np.isclose(found["points"][:, 2], -3)]
+    assert len(on_floor) > 20 and np.abs(on_floor[:, :2]).max() == pytest.approx(1, abs=2e-3)
+
+
 def test_the_light_contour_of_a_cube_is_a_ring_of_six_edges(extract):
     found = extract("--definition", "light_contour", "--eye", "3,4,5", "--sun", "-1,0.5,2")
     assert len(segments(found)) == 6 and found["closed"].tolist() == [True]

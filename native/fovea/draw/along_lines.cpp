@@ -83,9 +83,21 @@ Array<float> pen_width_of_runs(const style::Style& style, const Paths& paths, co
                                [&](std::size_t r) { return of_set[paths.line_set[clipped.path[runs.piece[r]]]]; });
 }
 
+Array<std::uint8_t> folding(const Paths& paths) {
+    Array<std::uint8_t> found = paths.of_view;
+    std::ranges::replace(found, path::makes_tone, std::uint8_t(0));
+    return found;
+}
+
+Array<Index> meeting(const Paths& paths) {
+    return parallel_map<Index>(
+        paths.count(), [&](std::size_t p) { return paths.of_view[p] == path::makes_tone ? none : paths.placement[p]; });
+}
+
 Array<float> by_view(const Paths& paths, double of_view, double other) {
     Array<float> amounts(paths.count());
-    for (Index p = 0; p < paths.count(); ++p) amounts[p] = float(paths.of_view[p] ? of_view : other);
+    for (Index p = 0; p < paths.count(); ++p)
+        amounts[p] = float(paths.of_view[p] && paths.of_view[p] != path::makes_tone ? of_view : other);
     return amounts;
 }
 

@@ -24,6 +24,12 @@ Array<float> spacing_by_path(const Paths& paths, double scale, const style::Styl
 Array<float> pen_width_of_runs(const style::Style& style, const Paths& paths, const ClippedPaths& clipped,
                                const Runs& runs, double scale);
 
+/// Paths::of_view, but 0 of lines that make a tone: they do not fold.
+Array<std::uint8_t> folding(const Paths& paths);
+
+/// Paths::placement, but `none` of lines that make a tone: others do not go on where they end.
+Array<Index> meeting(const Paths& paths);
+
 /// Per path: `of_view` where its definition depends on the view, else `other`.
 Array<float> by_view(const Paths& paths, double of_view, double other);
 

@@ -106,7 +106,7 @@ void Frame::filter() {
         const Array<float> spurs = by_view(*paths, o.contour_spur * scale(), o.spur * scale());
         unfold();
         const Runs joined = close_gaps(*clipped, *visible, o.gap * scale(), spurs, o.spur * scale());
-        Runs found = trim_folds(*clipped, joined, paths->of_view, o.fold * scale());
+        Runs found = trim_folds(*clipped, joined, folding(*paths), o.fold * scale());
         const ForkOptions forks{o.contour_spur * scale(), o.fold * scale(), o.joint * scale()};
         found = without_forks(*clipped, found, *paths, *job.scene, forks);
         found = without_tips(*clipped, found, paths->placement, o.tip * scale(), o.beside * scale());
@@ -134,7 +134,7 @@ void Frame::unfold() {
     const Options& o = job.options;
     const Runs whole = without_own_roughness(*clipped, *paths, rays(), *visible, o.fold * scale());
     Unfolded unfolded =
-        join_folds(*clipped, whole, paths->of_view, o.fold * scale(), o.joint * scale(), o.contour_spur * scale());
+        join_folds(*clipped, whole, folding(*paths), o.fold * scale(), o.joint * scale(), o.contour_spur * scale());
     clipped = std::make_shared<ClippedPaths>(std::move(unfolded.clipped));
     if (!samples.empty()) {
         const Array<float> all = std::move(samples);
@@ -245,7 +245,7 @@ Strokes Frame::strokes_with(In<float> opacity) const { return tessellate(inking(
 Runs Frame::with_halos() const {
     std::vector<double> halos;
     for (const style::LineSet& set : job.style.line_sets) halos.push_back(set.halo);
-    return halo(*clipped, *runs, by_path(*paths, scale(), halos), paths->of_view);
+    return halo(*clipped, *runs, by_path(*paths, scale(), halos), folding(*paths));
 }
 
 /// Runs for strokes: with contours extended to meet other lines, and overshoot. Overshoot is at most a quarter of a
@@ -256,7 +256,7 @@ Runs Frame::with_ends(const Runs& runs) const {
         near.push_back(set.overshoot);
         away.push_back(set.overshoot_away.value_or(set.overshoot));
     }
-    const Runs joined = meet_ends(*clipped, runs, paths->of_view, paths->placement, job.options.meet * scale());
+    const Runs joined = meet_ends(*clipped, runs, folding(*paths), meeting(*paths), job.options.meet * scale());
     const Array<double> lengths = lengths_in_frame(*paths, *clipped);
     const auto reach = [&](const std::vector<double>& of_set) {
         Array<float> amounts = by_path(*paths, scale(), of_set);

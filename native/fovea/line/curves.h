@@ -12,10 +12,12 @@ namespace fovea::line {
 struct CurvePiece {
     Index triangle;
     Index side[2];
-    vec3 point[2];       ///< in the surface's space
-    float strength[2];   ///< in [0, 1]
-    Index level = 0;     ///< segments of different levels belong to different curves, even if they cross the same sides
-    Index other = none;  ///< for a line on two surfaces: the triangle of the second
+    vec3 point[2];      ///< in the surface's space
+    float strength[2];  ///< in [0, 1]
+    Index level = 0;    ///< segments of different levels belong to different curves, even if they cross the same sides
+    /// For a line on two surfaces: the triangle of the second. Or its own triangle, where that is meant as it is: rays
+    /// to the line then ignore its facet alone.
+    Index other = none;
     /// Of lines that are not told apart by their triangles: from which ids are hashed, unique per piece. 0: of others.
     std::uint64_t key = 0;
 };

@@ -31,6 +31,7 @@ struct SurfaceView {
     Index placement = 0;
     dmat4 object_to_view{1.0};  ///< from the surface's space
     const Tracer* tracer = nullptr;
+    Cache* shared = nullptr;  ///< per frame: what surfaces share; null: nothing
     /// Skip clusters that cannot contain a line; does not change the result.
     bool pass_over = true;
 
@@ -74,6 +75,7 @@ struct EdgeRule {
 /// Types of curves across triangles, which decide how they are processed once chained (path/find_curves.h).
 enum class CurveType {
     level_set,  ///< level set of a quantity: all of it is drawn
+    tone,       ///< one of many that make a tone: drawn as it is found; other lines do not go on where it ends
     feature,    ///< feature of shape: duplicates of contours and spurs at its ends are removed
     contour,    ///< contour of the fitted smooth surface; the flat triangles of the mesh partly hide it
 };

@@ -35,7 +35,8 @@
     define(section_cut)                \
     define(section_hatch)              \
     define(light_contour)              \
-    define(cast_shadow)
+    define(cast_shadow)                \
+    define(hatching)
 // clang-format on
 
 namespace fovea::line {

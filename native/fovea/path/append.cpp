@@ -137,12 +137,16 @@ void Appender::append(Index placement, const FoundCurves& found, bool of_view, P
             paths.edge_t[to] = 0.0f;
             paths.kinds[to] = Kinds(1) << found.definition;
             paths.strength[to] = chains.strength[i];
-            paths.other_facet[to] = found.other == none
-                                        ? none
-                                        : scene_.facet_base[found.other] +
-                                              scene_.placements[found.other].surface->triangle_facet[chains.other[i]];
+            const Index other = found.other == none ? placement : found.other;
+            paths.other_facet[to] =
+                chains.other[i] == none || other == none
+                    ? none
+                    : scene_.facet_base[other] + scene_.placements[other].surface->triangle_facet[chains.other[i]];
         },
         paths);
+    const auto* rule = std::get_if<CurveRule>(&line_definitions()[found.definition]->rule);
+    if (rule && rule->type == CurveType::tone)
+        std::fill_n(paths.of_view.begin() + slot.path, chosen_.size(), makes_tone);
     if (of_view && (smooth_contours() >> found.definition & 1))
         std::fill_n(paths.of_view.begin() + slot.path, chosen_.size(), ends_at_cusps);
 }

@@ -144,6 +144,7 @@ Paths extract_paths(const Scene& scene, const View& view, const std::vector<Line
         });
 
     const bool alike = !varies_by_placement(sets, own);
+    Cache shared;
     std::vector<Paths> parts = in_parts(drawn.size(), [&](Paths& part, std::size_t begin, std::size_t end) {
         Appender appender(scene, view, least_px);
         Asked asked;
@@ -152,8 +153,9 @@ Paths extract_paths(const Scene& scene, const View& view, const std::vector<Line
             const Placement& placed = scene.placements[placement];
             const auto surface = as_placed(placed.surface, placed.object_to_world);
             if (!alike || asked.surface != surface) asked = {surface, sets_of(placement, *surface, sets, own)};
-            const PlacementPaths found =
-                extract_placement(look_at(*surface, placement, tracer), asked.sets, asked.hash, of_view);
+            SurfaceView seen = look_at(*surface, placement, tracer);
+            seen.shared = &shared;
+            const PlacementPaths found = extract_placement(seen, asked.sets, asked.hash, of_view);
             if (found.edges) {
                 appender.append(placement, found.edges->kept, false, part);
                 appender.append(placement, found.edges->seen, true, part);

@@ -99,8 +99,9 @@ CurveChains part_of(const CurveChains& chains, const Share& share, const std::ve
 
 CurveChains curves_of(const CurveRule& rule, const SurfaceView& seen, const Values& values, In<std::uint8_t> near) {
     CurveChains chains = chain_curves(rule.find(seen, values));
-    smooth(chains, seen.surface);
+    if (rule.type != CurveType::tone) smooth(chains, seen.surface);
     switch (rule.type) {
+        case CurveType::tone:
         case CurveType::level_set:
             return chains;
         case CurveType::contour:

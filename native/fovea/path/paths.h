@@ -10,7 +10,8 @@ namespace fovea::path {
 /// Bits: ends of a path that touch no other line.
 enum FreeEnds : std::uint8_t { free_start = 1, free_end = 2, any_free = 3 };
 
-inline constexpr std::uint8_t ends_at_cusps = 2;
+/// Values of Paths::of_view beside 0 and 1.
+inline constexpr std::uint8_t ends_at_cusps = 2, makes_tone = 3;
 
 /// Polylines of all placements, in object space; path p has the points rows.begin(p) .. rows.end(p) - 1. Segment i runs
 /// from point i to point i + 1 of its path. A closed path repeats its first point at the end. Paths found in image
@@ -38,7 +39,8 @@ struct Paths {
         Column{"free_ends", &Paths::free_ends,
                "(P,) uint8: 1 where the start touches no other line, 2 where the end does not"},
         Column{"of_view", &Paths::of_view,
-               "(P,) uint8: nonzero if the path depends on the view; 2: a contour whose ends are cusps"}};
+               "(P,) uint8: nonzero if the path depends on the view; 2: a contour whose ends are cusps; 3: one of many "
+               "that make a tone, which do not fold, and at which others do not go on"}};
     static constexpr std::tuple point_columns{
         Column{"points_obj", &Paths::points_obj, "(N, 3) float32"},
         Column{
