@@ -136,6 +136,7 @@ extern const LineDefinition cast_shadow = {
     .rule = SceneRule{parameters.of(find), [](const Surface&, const Values&, const Cancel&) {}},
     .ends_at_lines = true,
     .usual = true,
+    .shade = Shade::cast,
 };
 
 }  // namespace fovea::line

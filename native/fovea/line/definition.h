@@ -5,6 +5,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -14,6 +15,7 @@
 #include <fovea/line/curves.h>
 #include <fovea/line/parameter.h>
 #include <fovea/mesh/surface.h>
+#include <fovea/scene/shade.h>
 #include <fovea/scene/tracer.h>
 
 namespace fovea::line {
@@ -140,6 +142,8 @@ struct LineDefinition {
     bool ends_at_lines = false;
     bool usual = false;      ///< what artists draw with; panels fold the others
     bool of_smooth = false;  ///< lines of a smooth shape: line sets that suit lines to surfaces draw it on such alone
+    /// That of all its lines, which lie where shade ends. Unset: as surfaces are there.
+    std::optional<Shade> shade = {};
 };
 
 /// Default values of a definition's parameters.

@@ -163,6 +163,7 @@ extern const LineDefinition light_contour = {
     .parameters = parameters,
     .rule = SceneRule{parameters.of(find), [](const Surface&, const Values&, const Cancel&) {}},
     .usual = true,
+    .shade = Shade::attached,
 };
 
 }  // namespace fovea::line

@@ -85,6 +85,11 @@ Kinds contours() {
     return bits;
 }
 
+Kinds kinds_of_one_shade() {
+    static const Kinds bits = kinds_that([](const LineDefinition& definition) { return definition.shade.has_value(); });
+    return bits;
+}
+
 Kinds kinds_in_section() {
     static const Kinds bits = kinds_that([](const LineDefinition& definition) { return definition.in_section; });
     return bits;

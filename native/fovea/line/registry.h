@@ -38,5 +38,7 @@ Kinds contours();
 
 /// Bits of definitions that lie on what the section plane cuts.
 Kinds kinds_in_section();
+/// Of the definitions all of whose lines have one shade.
+Kinds kinds_of_one_shade();
 
 }  // namespace fovea::line
