@@ -20,16 +20,17 @@ namespace {
 /// The window of one sample.
 class Window {
    public:
-    Window(const PriorityBuffer& buffer, const OwnBands& own, std::size_t s)
+    /// `changing`: per rank (changing_ranks).
+    Window(const PriorityBuffer& buffer, const OwnBands& own, In<std::uint8_t> changing, std::size_t s)
         : buffer_(buffer),
           own_(own),
+          changing_(changing),
           place_(own.place[s]),
           band_(own.band[s]),
           ends_(own.ends[s]),
           figure_(own.figure[s]),
           shortness_(f_.elision_shortness(band_, figure_)),
-          rank_(std::uint32_t(band_.y)),
-          precedence_(precedence_of(rank_)) {}
+          rank_(std::uint32_t(band_.y)) {}
 
     vec2 sum() {
         const int rows = f_.elision_rows(band_, most_window_rows);
@@ -92,14 +93,18 @@ class Window {
         return column.inside[k] * vec2(taken, own);
     }
 
-    vec3 precedence_of(std::uint32_t rank) const {
-        return own_.precedence_of_rank.empty() ? vec3(rank, rank, 0.0f) : own_.precedence_of_rank[rank];
+    bool changes(std::uint32_t rank) const { return !changing_.empty() && changing_[rank]; }
+
+    /// How far a line of another rank takes from this one.
+    float before(std::uint32_t other) {
+        if (other == 0 || other == rank_) return 0.0f;
+        if (!changes(rank_) && !changes(other)) return other > rank_ ? 1.0f : 0.0f;
+        return f_.precedence(own_.precedence_of_rank[rank_], own_.precedence_of_rank[other]);
     }
 
     /// The part of a pixel that is lost to another line.
     float lost(const PriorityTexel& other, float own, float u, vec2 away) {
-        if (other.rank == 0 || other.rank == rank_) return 0.0f;
-        const float before = f_.precedence(precedence_, precedence_of(other.rank));
+        const float before = this->before(other.rank);
         if (before == 0.0f) return 0.0f;
         const vec2 across = vec2(other.away_x, other.away_y) / PriorityTexel::away_unit;
         const float others = other.rank < own_.figure_of_rank.size() ? own_.figure_of_rank[other.rank] : -1.0f;
@@ -152,12 +157,12 @@ class Window {
 
     const PriorityBuffer& buffer_;
     const OwnBands& own_;
+    const In<std::uint8_t> changing_;
     formulas::Elision f_;
     vec4 place_, band_, ends_;
     vec3 figure_;
     float shortness_;
     std::uint32_t rank_;
-    vec3 precedence_;
     bool knows_ends_ = false;
     End at_ends_[2][8];
 };
@@ -166,9 +171,10 @@ class Window {
 
 Array<vec2> crowding(const OwnBands& own, const PriorityBuffer& buffer, const Cancel* cancel) {
     Array<vec2> result(own.band.size());
+    const Array<std::uint8_t> changing = changing_ranks(own.precedence_of_rank);
     parallel_blocks(own.band.size(), 4096, [&](auto, std::size_t begin, std::size_t end) {
         if (cancel) cancel->poll();
-        for (std::size_t s = begin; s < end; ++s) result[s] = Window(buffer, own, s).sum();
+        for (std::size_t s = begin; s < end; ++s) result[s] = Window(buffer, own, changing, s).sum();
     });
     return result;
 }

@@ -28,6 +28,9 @@ struct PriorityBuffer {
     Array<PriorityTexel> first, second;
 };
 
+/// Per rank: 1 if its line passes others (OwnBands::precedence_of_rank, which may be empty).
+Array<std::uint8_t> changing_ranks(In<vec3> precedence_of_rank);
+
 /// Rasterizes bands by pixel centers, clipped to the picture. `precedence_of_rank`: as OwnBands has it. Of bands of one
 /// rank at a pixel, the first drawn stays. Parallel over tiles; independent of the number of threads. May throw
 /// Cancelled.
