@@ -71,7 +71,11 @@ class Grid {
         }
     }
 
-    std::int64_t cell_of(double px) const { return std::int64_t(std::floor(px / touch_)); }
+    /// Places so far away that cells have no numbers are in the last.
+    std::int64_t cell_of(double px) const {
+        constexpr double last = 1e15;
+        return std::int64_t(std::floor(std::clamp(px / touch_, -last, last)));
+    }
 
     In<Place> places_;
     double touch_;
