@@ -15,8 +15,6 @@ namespace {
 
 constexpr double strip_px = 12.0;  // reference pixels outside of an edge in which its object may go on
 
-Kinds kind_called(const char* name) { return kind_of(definition_called(name)); }
-
 class Shares {
    public:
     Shares(const Paths& paths, const Tracer& tracer, int places, Array<OuterShare>& out)
@@ -31,7 +29,7 @@ class Shares {
         std::shared_ptr<const Surface> surface;
         for (Index i = begin; i < last; ++i) {
             const double count = std::round((paths_.arc_obj[i + 1] - paths_.arc_obj[i]) * by_length);
-            if (!(paths_.kinds[i] & ends_) || count < 2.0) continue;
+            if (!(paths_.kinds[i] & (outer_ | whole_)) || count < 2.0) continue;
             if (!surface) surface = as_placed(placed.surface, placed.object_to_world);
             if (paths_.place[i] >= surface->edges.size() || surface->sides(paths_.place[i]).size() < 2) continue;
             const SurfaceView seen = line::look_at(*surface, paths_.placement[p], tracer_);
@@ -42,15 +40,14 @@ class Shares {
    private:
     OuterShare of_edge(const line::OuterEdges& edges, Index i, int count) const {
         return {float(edges.share_outside(paths_.place[i], strip_px, count)),
-                float(line::importance_of((paths_.kinds[i] & ~silhouette_) | contour_))};
+                float(line::importance_of((paths_.kinds[i] & ~outer_) | whole_))};
     }
 
     const Paths& paths_;
     const Tracer& tracer_;
     const int places_;
     Array<OuterShare>& out_;
-    const Kinds silhouette_ = kind_called("silhouette"), contour_ = kind_called("contour"),
-                ends_ = silhouette_ | contour_;
+    const Kinds outer_ = line::edge_parts(), whole_ = line::edge_wholes();
 };
 
 }  // namespace

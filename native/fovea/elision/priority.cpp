@@ -121,7 +121,7 @@ class Terms {
     const style::Elision& weights_;
     In<float> object_, painted_;
     In<OuterShare> outer_;
-    const double outermost_ = line_definitions()[definition_index("silhouette")]->importance;
+    const double outermost_ = line::importance_of(line::edge_parts());
     double radius_, painted_weight_, sum_;
 };
 

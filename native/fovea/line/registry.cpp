@@ -85,6 +85,27 @@ Kinds contours() {
     return bits;
 }
 
+namespace {
+
+const LineDefinition* whole_of(const LineDefinition& definition) {
+    const auto* const rule = std::get_if<EdgeRule>(&definition.rule);
+    return rule ? rule->part_of : nullptr;
+}
+
+}  // namespace
+
+Kinds edge_parts() {
+    static const Kinds bits = kinds_that([](const LineDefinition& definition) { return whole_of(definition); });
+    return bits;
+}
+
+Kinds edge_wholes() {
+    static const Kinds bits = kinds_that([](const LineDefinition& whole) {
+        return std::ranges::any_of(line_definitions(), [&](const auto* part) { return whole_of(*part) == &whole; });
+    });
+    return bits;
+}
+
 Kinds kinds_of_one_shade() {
     static const Kinds bits = kinds_that([](const LineDefinition& definition) { return definition.shade.has_value(); });
     return bits;

@@ -35,6 +35,10 @@ Kinds smooth_contours();
 
 /// Bits of those, and of the mesh-edge definition that finds all contours of the mesh.
 Kinds contours();
+/// Definitions on mesh edges that choose among the edges of another one (EdgeRule::part_of), as the outer ones; and
+/// those others.
+Kinds edge_parts();
+Kinds edge_wholes();
 
 /// Bits of definitions that lie on what the section plane cuts.
 Kinds kinds_in_section();
