@@ -60,8 +60,8 @@ def _draw_list(layout, owner, members, index, name, rows):
 
 
 def draw_filter(layout, line_set):
-    """Draws the filters of a line set: by collection, object and material, each with a button to invert it; by the shape
-    of surfaces, and by light."""
+    """Draws the filters of a line set: by collection, object and material, each with a button to invert it; by the
+    shape of surfaces, and by light."""
     column = layout.column()
     for name, others in FILTERS.items():
         chosen, known = getattr(line_set, name), KINDS[name]

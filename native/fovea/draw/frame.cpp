@@ -295,7 +295,9 @@ Painted Frame::painted(const std::string& attribute) const {
 /// How far contours are silhouettes, of paths with visible runs; empty where none are drawn as such.
 Array<OuterShare> Frame::outer_shares_of_seen() {
     const auto has_silhouettes = [](const style::LineSet& set) {
-        return std::ranges::any_of(set.kinds, [](const auto& kind) { return kind.first == "silhouette"; });
+        return std::ranges::any_of(set.kinds, [](const auto& kind) {
+            return line::kind_of(line::definition_called(kind.first)) & line::edge_parts();
+        });
     };
     if (job.style.elision.kind == 0.0 || std::ranges::none_of(job.style.line_sets, has_silhouettes)) return {};
     Array<std::uint8_t> asked(paths->count(), 0);
