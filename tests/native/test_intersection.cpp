@@ -2,6 +2,8 @@
 // Intersections of surfaces whose curves are known.
 #include <gtest/gtest.h>
 
+#include <fovea/scene/crossings.h>
+
 #include "intersections.h"
 
 using namespace fovea;
@@ -81,6 +83,15 @@ TEST(Intersection, NeighborsDoNotIntersect) {
         EXPECT_EQ(Found({put(mesh, turned(0.3, {1, 2, 3}), 1)}).count, 0u) << mesh.name;
         EXPECT_EQ(Found({put(split(mesh), dmat4(1.0), 1)}).count, 0u) << mesh.name << ", split";
     }
+}
+
+TEST(Intersection, AVertexFarAwayMakesNoPairsOfAllTriangles) {
+    // Of 80,000 triangles all are nearer to each other than the tolerance of contact, which is a share of the size.
+    Mesh mesh = meshes::relief(200, [](double x, double y) { return 0.1 * std::sin(9 * x) * std::cos(7 * y); });
+    const int first = static_cast<int>(mesh.positions.size());
+    for (const vec3& far : {vec3(1e9f, 0, 0), vec3(1e9f, 1e9f, 0), vec3(1e9f, 0, 1e9f)}) mesh.positions.push_back(far);
+    mesh.add_polygon({first, first + 1, first + 2});
+    EXPECT_TRUE(scene::cross_itself(*mesh.surface(), Cancel()).empty());
 }
 
 TEST(Intersection, SurfacesThatTouchHaveNone) {

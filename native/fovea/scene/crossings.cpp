@@ -291,8 +291,10 @@ Crossings find(const Mapped& first, const Mapped& second, bool within, const Can
     const Grid grid(*tree_a, tree_b->bounds.mapped(second.map));
     if (!grid.usable()) return {};
     const SingleMap single(second.map, tree_b->bounds);
-    const Leaves leaves{*tree_a, *tree_b, single, static_cast<float>(grid.tolerance()), static_cast<float>(grid.step()),
-                        within};
+    // Corners of one surface are on the grid, or finer numbers than its step: a vertex far away makes the tolerance
+    // large, within which all of the rest may be.
+    const float margin = static_cast<float>(within ? grid.step() : grid.tolerance());
+    const Leaves leaves{*tree_a, *tree_b, single, margin, static_cast<float>(grid.step()), within};
     const Finder finder(first, second, grid, within);
     const TreeMeeting meeting(*tree_a, *tree_b, single, leaves.margin, within);
     const auto pieces = parallel_collect<Piece>(meeting.block_count(), 1, [&](std::size_t b, std::size_t, auto& out) {
