@@ -337,24 +337,25 @@ class Hatcher {
         std::vector<Level> found;
         const dvec3 normal = glm::cross(corners[1].at - corners[0].at, corners[2].at - corners[0].at);
         Polygon polygon(corners.begin(), corners.end());
-        const auto nearness = [](const Spot& a, const Spot& b) { return a.at.z > b.at.z; };
-        const auto ratio = [&] {
-            const auto [near, far] = std::minmax_element(polygon.begin(), polygon.end(), nearness);
-            return view_.orthographic ? 1.0 : far->at.z / near->at.z;
+        double near = HUGE_VAL, far = 0.0;
+        const auto measure = [&] {
+            near = HUGE_VAL, far = 0.0;
+            for (const Spot& corner : polygon) near = std::min(near, -corner.at.z), far = std::max(far, -corner.at.z);
         };
-        if (whole && ratio() < 1.5) {
+        measure();
+        if (whole && (view_.orthographic || far < 1.5 * near)) {
             append_levels(family, polygon, normal, found);
             return found;
         }
         for (int plane = 0; plane < planes && !polygon.empty(); ++plane)
             polygon = clipped(polygon, [&](const dvec3& p) { return distance_to(plane, p); });
-        // Slabs of twice the distance each, in which spacing differs little.
-        while (polygon.size() >= 3) {
-            const auto near = std::min_element(polygon.begin(), polygon.end(), nearness);
-            const double split = view_.orthographic ? -HUGE_VAL : 2.0 * near->at.z;
-            append_levels(family, clipped(polygon, [&](const dvec3& p) { return p.z - split; }), normal, found);
-            if (ratio() <= 2.0) break;
-            polygon = clipped(polygon, [&](const dvec3& p) { return split - p.z; });
+        measure();
+        // Slabs of twice the distance each, in which spacing differs little. Of huge triangles clipping is not exact.
+        const double first = view_.orthographic ? HUGE_VAL : 2.0 * std::max(near, view_.near_clip);
+        for (double split = first; polygon.size() >= 3; split *= 2.0) {
+            append_levels(family, clipped(polygon, [&](const dvec3& p) { return p.z + split; }), normal, found);
+            if (!(split < far)) break;
+            polygon = clipped(polygon, [&](const dvec3& p) { return -split - p.z; });
         }
         std::ranges::sort(found, {}, &Level::value);
         const auto rest = std::ranges::unique(found, {}, &Level::value);
