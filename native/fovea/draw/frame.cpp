@@ -14,6 +14,7 @@
 #include <fovea/elision/opacity.h>
 #include <fovea/elision/priority.h>
 #include <fovea/path/extract.h>
+#include <fovea/path/placed_set.h>
 #include <fovea/project/project.h>
 #include <fovea/runs/dots.h>
 #include <fovea/runs/filters.h>
@@ -70,7 +71,9 @@ void Frame::find() {
     stage("bvh", 0.2, [&] { rays(); });
     const double step_px = std::max(job.options.sample_step * scale(), least_sample_step_px);
     stage("lines", 0.1, [&] {
-        const SharedSets shared = shared_by_light(line_sets_of(job.style, job.overrides), job.style);
+        const std::vector<path::LineSet> sets = line_sets_of(job.style, job.overrides);
+        path::check_filters(job.scene->placements.size(), sets, job.overrides.lines);
+        const SharedSets shared = shared_by_light(sets, job.style);
         Paths found = extract_paths(*job.scene, job.view, shared.sets, *tracer, cancel(), job.overrides.lines,
                                     job.options.all_paths ? 0.0 : step_px);
         owners_ = shared.owners;
