@@ -8,6 +8,8 @@ namespace {
 
 constexpr double least_near = 1e-20;  // distances a million times smaller are still numbers, in single precision
 
+constexpr double least_magnification = 1e-30;  // below it places of pixels in space are no numbers, in single precision
+
 constexpr double least_scale = 1e-4, most_scale = 1e4;  // image pixels per reference pixel
 
 /// Whether products of its numbers are numbers, too.
@@ -25,8 +27,9 @@ void check_view(const View& view) {
     check(is_moderate(view.world_to_view) && glm::determinant(view.world_to_view) != 0.0,
           "camera: it looks in no direction; reset its location, rotation and scale");
     const bool shows = is_moderate(view.view_to_clip) && glm::determinant(view.view_to_clip) != 0.0 &&
-                       view.view_to_clip[0][0] != 0.0 && view.view_to_clip[1][1] != 0.0 &&
-                       view.view_to_clip[0][3] == 0.0 && view.view_to_clip[1][3] == 0.0;  // a lens is not tilted
+                       std::abs(view.view_to_clip[0][0]) > least_magnification &&
+                       std::abs(view.view_to_clip[1][1]) > least_magnification && view.view_to_clip[0][3] == 0.0 &&
+                       view.view_to_clip[1][3] == 0.0;  // a lens is not tilted
     check(shows, "camera: it shows nothing; reset its focal length, sensor, shift and clip distances");
     check(view.near_clip >= least_near || view.orthographic, "camera: its Clip Start must be more than 0");
     check(view.far_clip > view.near_clip && std::isfinite(view.far_clip) && std::isfinite(view.near_clip),
