@@ -1189,10 +1189,6 @@ class Elision:
     def figure_of_rank(self) -> NDArray[numpy.float32]:
         """(R,) float32, per rank: number of the figure of its run; -1: none"""
     @property
-    def precedence_of_rank(self) -> NDArray[numpy.float32]:
-        """(R, 3) float32, per rank: places of its line in the order of lines before and after what changes, and how far
-        it has changed; empty: nothing changes"""
-    @property
     def triangles(self) -> NDArray[numpy.uint32]:
         """(T, 3) uint32, the highest rank first"""
     @property

@@ -5,7 +5,6 @@ struct Own {
   vec4 band;        // half width, rank, pixels back to the run's start and ahead to its end
   vec4 at_ends[8];  // 4 pixels around the run's start, 4 around its end: (rank, weight) of both layers
   vec3 figure;      // number (-1: none), weight, length
-  vec3 place_of;    // its places in the order of lines
   float shortness;  // elision_shortness of the run
 };
 
@@ -29,16 +28,11 @@ float meets(Own line, float rank, int end)
 // The part of a pixel that is lost to another line.
 float lost(vec4 other, Own line, float own, float u, vec2 away)
 {
-  if (other.x == 0.0 || other.x == line.band.y) {
-    return 0.0;
-  }
-  vec4 rank = fetch_row(of_rank, int(other.x));  // number of its figure; its places in the order of lines
-  float before = precedence(line.place_of, rank.yzw);
-  if (before == 0.0) {
+  if (other.x <= line.band.y) {
     return 0.0;
   }
   float met = max(meets(line, other.x, 0), meets(line, other.x, 4));
-  return before * elision_foreign(line.figure, rank.x) *
+  return elision_foreign(line.figure, fetch_row(figure_of_rank, int(other.x)).x) *
          elision_lost(line.place, line.band, own, u, away, other.zw, other.y < 0.0, abs(other.y), met, line.shortness, reach);
 }
 
@@ -54,8 +48,11 @@ vec2 window_pixel(vec2 at, Own line)
   float own = elision_own(line.band, v);
   vec2 away = v < 0.0 ? -left : left;
   vec4 first = unpacked_texel(texelFetch(layer0, texel, 0).xy);
-  vec4 second = unpacked_texel(texelFetch(layer1, texel, 0).xy);
-  float taken = max(lost(first, line, own, u, away), lost(second, line, own, u, away));
+  float taken = 0.0;
+  if (first.x > line.band.y) {
+    vec4 second = unpacked_texel(texelFetch(layer1, texel, 0).xy);
+    taken = max(lost(first, line, own, u, away), lost(second, line, own, u, away));
+  }
   return elision_inside(line.band, u) * vec2(taken, own);
 }
 
@@ -96,7 +93,6 @@ void main()
   line.place = place;
   line.band = band;
   line.figure = fetch_row(figures, index).xyz;
-  line.place_of = fetch_row(of_rank, int(band.y)).yzw;
   line.shortness = elision_shortness(band, line.figure);
   for (int k = 0; k < 4; k++) {
     line.at_ends[k] = at_end(end.xy, k, near.x);

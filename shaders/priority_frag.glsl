@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // One layer of the priority buffer (native/fovea/elision/priority_buffer.h); the second skips bands within 45 degrees
-// of the one in the first, unless one is passing the other.
+// of the one in the first.
 void main()
 {
   float coverage = band_coverage(place);
@@ -9,12 +9,7 @@ void main()
   }
   if (layers_in_front > 0) {
     vec4 first = unpacked_texel(texelFetch(layer0, ivec2(gl_FragCoord.xy), 0).xy);
-    if (first.x == line_owner.z) {
-      discard;
-    }
-    if (!bands_cross(first.zw, line_owner.xy) &&
-        !is_passing(fetch_row(of_rank, int(first.x)).yzw, fetch_row(of_rank, int(line_owner.z)).yzw))
-    {
+    if (first.x == line_owner.z || !bands_cross(first.zw, line_owner.xy)) {
       discard;
     }
   }

@@ -5,13 +5,13 @@ vec4 fetch_row(sampler2D table, int index)
   return texelFetch(table, ivec2(index % ROW_WIDTH, index / ROW_WIDTH), 0);
 }
 
-// The last segment from `low` to `high` that begins at or before `arc`, or else `low` (binary search). A segment has
+// The last segment from `low` to `high` that begins at or before `place`, or else `low` (binary search). A segment has
 // three entries, the first of which ends with the place where it begins.
-int last_segment(sampler2D table, int low, int high, float arc)
+int last_segment(sampler2D table, int low, int high, float place)
 {
   while (low < high) {
     int middle = (low + high + 1) / 2;
-    if (fetch_row(table, 3 * middle).w <= arc) {
+    if (fetch_row(table, 3 * middle).w <= place) {
       low = middle;
     }
     else {

@@ -37,7 +37,7 @@ class ElisionPass:
             self._bands = triangles(attributes, elision.triangles)
         rows = max(1, batch_samples // row_width()) * row_width()
         tables = {"places": elision.place, "bands": elision.band, "ends": elision.ends, "figures": elision.figure}
-        self._of_rank = upload_row(_table_of_ranks(elision))
+        self._figure_of_rank = upload_row(elision.figure_of_rank)
         starts = range(0, len(elision.place), rows)
         self._batches = [_Batch({name: table[i : i + rows] for name, table in tables.items()}) for i in starts]
 
@@ -58,7 +58,7 @@ class ElisionPass:
                     "elision",
                     {
                         **batch.samplers,
-                        "of_rank": self._of_rank,
+                        "figure_of_rank": self._figure_of_rank,
                         "layer0": layers[0].color,
                         "layer1": layers[1].color,
                     },
@@ -83,7 +83,7 @@ class ElisionPass:
                 framebuffer.clear(depth=0.0)
                 program = self._programs.bind(
                     "priority",
-                    {"layer0": front, "of_rank": self._of_rank},
+                    {"layer0": front},
                     buffer_origin=(left, lower),
                     buffer_size=size,
                     most_rank=self._most_rank,
@@ -97,16 +97,6 @@ class ElisionPass:
         """(D, 2) float32 per sample: pixels of its band in the window that are lost, and all pixels of it there."""
         parts = [batch.target.read(2).reshape(-1, 2)[: batch.count] for batch in self._batches]
         return np.concatenate(parts) if parts else np.zeros((0, 2), np.float32)
-
-
-def _table_of_ranks(elision):
-    """(R, 4) float32 per rank: number of its figure, -1: none; its places in the order of lines, share between them."""
-    table = np.zeros((len(elision.figure_of_rank), 4), np.float32)
-    table[:, 0] = elision.figure_of_rank
-    table[:, 1:3] = np.arange(len(table))[:, None]
-    if len(elision.precedence_of_rank):
-        table[:, 1:] = elision.precedence_of_rank
-    return table
 
 
 class _Batch:

@@ -75,7 +75,7 @@ class FOVEA_OT_strengthen_focus_over_time(_OfEmphasis, bpy.types.Operator):
     """Key the emphasis of the effects that answer to focus over an animation, as little as it takes at each key for the
     eye to go there first; keys of the emphasis between them are removed"""
 
-    bl_idname, bl_label = "fovea.strengthen_focus_over_time", "Strengthen Focus over Time"
+    bl_idname, bl_label = "fovea.strengthen_focus_over_time", "Strengthen Focus Over Time"
 
     frame_start: bpy.props.IntProperty(name="Start", description="Frame of the first key", default=1)
     frame_end: bpy.props.IntProperty(name="End", description="Frame of the last key", default=250)

@@ -31,7 +31,7 @@ def _in_menu(self, _context):
     self.layout.operator("fovea.focus_pull", text="Focus Pull...")
     for name in ("check_focus", "strengthen_focus"):
         self.layout.operator(f"fovea.{name}")
-    self.layout.operator("fovea.strengthen_focus_over_time", text="Strengthen Focus over Time...")
+    self.layout.operator("fovea.strengthen_focus_over_time", text="Strengthen Focus Over Time...")
     self.layout.separator()
     for name in LINES:
         self.layout.operator(name)

@@ -29,10 +29,6 @@ void bind_elision(py::module_& m) {
             "pixels from its end over which a band hands over to a line that goes on")
         .def_property_readonly("figure_of_rank", viewing<Elision>(&OwnBands::figure_of_rank),
                                "(R,) float32, per rank: number of the figure of its run; -1: none")
-        .def_property_readonly(
-            "precedence_of_rank", viewing<Elision>(&OwnBands::precedence_of_rank),
-            "(R, 3) float32, per rank: places of its line in the order of lines before and after what "
-            "changes, and how far it has changed; empty: nothing changes")
         .def_property_readonly("triangles", viewing<Elision>(&Bands::triangles),
                                "(T, 3) uint32, the highest rank first");
     bind_columns(elision, OwnBands::columns);

@@ -44,10 +44,10 @@ struct Sheet {
     }
 
     Array<Index> ranks() const {
-        std::vector<Priority> priority;
+        std::vector<float> priority;
         std::vector<std::uint64_t> id;
         for (Index p = 0; p < clipped.path.size(); ++p) {
-            priority.push_back({1.0f / float(p + 1)});
+            priority.push_back(1.0f / float(p + 1));
             id.push_back(p);
         }
         return rank_runs(clipped, runs, priority, id);

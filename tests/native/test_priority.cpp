@@ -33,10 +33,7 @@ wires::Wires lines(double scale = 1.0) {
 
 Array<float> priorities(const wires::Wires& w, const style::Elision& weights = {}, In<float> object = {},
                         In<float> painted = {}) {
-    const Array<Priority> found = path_priorities(w.paths, w.scene, wires::camera(), weights, object, painted);
-    Array<float> values(found.size());
-    std::ranges::transform(found, values.begin(), &Priority::value);
-    return values;
+    return path_priorities(w.paths, w.scene, wires::camera(), weights, object, painted);
 }
 
 }  // namespace
@@ -140,7 +137,7 @@ TEST(Rank, VisibleBeforeHiddenThenPriorityThenId) {
     runs.push(3, 0, 1, 1);
     runs.push(4, 0, 1);
     const float nan = std::numeric_limits<float>::quiet_NaN();
-    const std::vector<Priority> priority{{0.5f}, {0.9f}, {0.5f}, {nan}};
+    const std::vector<float> priority{0.5f, 0.9f, 0.5f, nan};
     const std::vector<std::uint64_t> id{7, 1, 3, 2};
     EXPECT_EQ(rank_runs(clipped, runs, priority, id), (Array<Index>{3, 2, 5, 4, 1, 5}));
     EXPECT_THROW(rank_runs(clipped, runs, {}, {}), std::invalid_argument);
@@ -152,12 +149,12 @@ TEST(Rank, DoesNotDependOnTheOrderOfPaths) {
     const auto ranked = [&](const std::vector<Index>& order) {
         ClippedPaths clipped;
         Runs runs;
-        std::vector<Priority> p;
+        std::vector<float> p;
         std::vector<std::uint64_t> names;
         for (Index q = 0; q < order.size(); ++q) {
             clipped.path.push_back(q);
             runs.push(q, 0, 1);
-            p.push_back({priority[order[q]]});
+            p.push_back(priority[order[q]]);
             names.push_back(id[order[q]]);
         }
         const Array<Index> ranks = rank_runs(clipped, runs, p, names);

@@ -7,8 +7,7 @@ if another static line appears or disappears within NEAR times the lines' spacin
 the spacing from the ends of their run.
 
 View-dependent lines have no such correspondence: their ink is compared with that of the previous frame reprojected by
-depth, and so is the share of ink that elision removes; both also with elision thresholded to a hard cut. What the lines
-themselves and their visibility explain changes without elision, too: the rest is where that ink is steady."""
+depth, and so is the share of ink that elision removes; both also with elision thresholded to a hard cut."""
 
 from collections import deque
 from dataclasses import dataclass, replace
@@ -19,7 +18,6 @@ from . import reproject
 
 LABEL = {"soft": "soft", "hard": "hard cut", "none": "no elision"}
 LEAST_INK = 0.02  # mean ink around a pixel below which a share of it is undefined
-STEADY = 0.05  # change of ink up to which a line without elision is the same as before
 HARD = 0.5  # threshold on the opacity for the hard cut
 NEAR = 2.0  # radius, in units of the lines' spacing, in which an appearing line explains a change
 SAME_PLACE = 0.1  # tolerance of a match's position, as a fraction of the distance between two samples
@@ -163,7 +161,6 @@ class OfView:
         self.distance, self.last = distance, None
         self.differences = {"soft": [], "hard": [], "none": []}
         self.taken = {"soft": [], "hard": []}
-        self.steady = {"soft": [], "hard": []}
 
     def see(self, drawn):
         now = of_view(drawn), reproject.Seen(drawn.view, drawn.image.depth)
@@ -172,9 +169,6 @@ class OfView:
             over, reach = seen_now.brought_over(seen), round(self.distance / 2)
             for name, found in self.differences.items():
                 found.append(over.difference(inks_now[name], inks[name]))
-            steady = over.changes(inks_now["none"], inks["none"]) <= STEADY
-            for name, found in self.steady.items():
-                found.append(over.difference(inks_now[name], inks[name], steady))
             for name, found in self.taken.items():
                 found.append(over.difference(taken(inks_now, name, reach), taken(inks, name, reach)))
         self.last = now
@@ -221,16 +215,11 @@ def static_rows(watch, how, wanted):
 
 def view_rows(watch):
     told = []
-    measured = (
-        ("ink", watch.differences, None),
-        ("ink, beyond the lines themselves", watch.steady, "<= .5"),
-        ("share of ink taken", watch.taken, "<= .5"),
-    )
-    for what, values, wanted in measured:
+    for what, values in (("ink", watch.differences), ("share of ink taken", watch.taken)):
         mean, square = ({name: np.mean([pair[k] for pair in v]) for name, v in values.items()} for k in (0, 1))
         told += [(f"lines of the view: {what}, mean difference, {LABEL[name]}", mean[name], None) for name in mean]
         ratio = mean["soft"] / mean["hard"] if mean["hard"] else 1.0
-        told += [(f"lines of the view: {what}, soft / hard", ratio, wanted)]
+        told += [(f"lines of the view: {what}, soft / hard", ratio, "<= .5")]
         # A fade has the same total change as a cut in smaller steps, so only the squares differ.
         ratio = square["soft"] / square["hard"] if square["hard"] else 1.0
         told += [(f"lines of the view: {what}, root mean square, soft / hard", ratio, None)]

@@ -48,23 +48,17 @@ class Over:
     at: np.ndarray  # (H, W, 2) in pixels of the earlier picture, whole numbers at their centers
     known: np.ndarray  # (H, W) whether the point was visible there
 
-    def difference(self, now, before, where=None):
-        """(mean absolute, root mean square) difference of two (H, W) pictures over the points that both show; `where`:
-        over those of them, as `changes` lists them."""
-        change = self.changes(now, before)
-        change = change if where is None else change[where]
-        change = change[np.isfinite(change)]  # both values are defined
-        return (float(change.mean()), float(np.sqrt((change**2).mean()))) if len(change) else (0.0, 0.0)
-
-    def changes(self, now, before):
-        """Absolute differences of two (H, W) pictures at the points that both show."""
+    def difference(self, now, before):
+        """(mean absolute, root mean square) difference of two (H, W) pictures over the points that both show."""
         column, row = self.at[self.known].T
         i = np.clip(row.astype(np.int64), 0, max(before.shape[0] - 2, 0))
         j = np.clip(column.astype(np.int64), 0, max(before.shape[1] - 2, 0))
         v, u = row - i, column - j
         lower = before[i, j] * (1 - u) + before[i, j + 1] * u
         upper = before[i + 1, j] * (1 - u) + before[i + 1, j + 1] * u
-        return np.abs(now[self.known] - (lower * (1 - v) + upper * v))
+        change = np.abs(now[self.known] - (lower * (1 - v) + upper * v))
+        change = change[np.isfinite(change)]  # both values are defined
+        return (float(change.mean()), float(np.sqrt((change**2).mean()))) if len(change) else (0.0, 0.0)
 
 
 def mean_around(values, reach):

@@ -33,9 +33,7 @@ Array<float> CpuBackend::visibility(const Frame& frame) {
 
 Array<vec2> CpuBackend::elide(const Frame& frame, const Elision& elision) {
     const View& view = frame.job.view;
-    return crowding(elision,
-                    draw_priorities(elision, view.width, view.height, elision.precedence_of_rank, &frame.cancel()),
-                    &frame.cancel());
+    return crowding(elision, draw_priorities(elision, view.width, view.height, &frame.cancel()), &frame.cancel());
 }
 
 Array<vec4> CpuBackend::draw(const Frame& frame) {

@@ -295,20 +295,6 @@ Painted Frame::painted(const std::string& attribute) const {
     return found == job.overrides.painted.end() ? Painted(job.scene->placements.size()) : found->second;
 }
 
-/// How far contours are silhouettes, of paths with visible runs; empty where none are drawn as such.
-Array<OuterShare> Frame::outer_shares_of_seen() {
-    const auto has_silhouettes = [](const style::LineSet& set) {
-        return std::ranges::any_of(set.kinds, [](const auto& kind) {
-            return line::kind_of(line::definition_called(kind.first)) & line::edge_parts();
-        });
-    };
-    if (job.style.elision.kind == 0.0 || std::ranges::none_of(job.style.line_sets, has_silhouettes)) return {};
-    Array<std::uint8_t> asked(paths->count(), 0);
-    for (std::size_t r = 0; r < runs->size(); ++r)
-        if (runs->invisibility[r] == 0) asked[clipped->path[runs->piece[r]]] = 1;
-    return outer_shares(*paths, rays(), asked, cancel());
-}
-
 /// Elision opacity per atlas sample, from this frame alone.
 Array<float> Frame::left(float cut) {
     const style::Elision& e = job.style.elision;
@@ -316,8 +302,8 @@ Array<float> Frame::left(float cut) {
         return attribute.empty() ? Array<float>() : values_on_paths(*paths, *job.scene, painted(attribute));
     };
     const Array<float> priority_paint = along(e.priority_attribute), density_paint = along(e.density_attribute);
-    const Array<Priority> priorities = path_priorities(*paths, *job.scene, job.view, e, job.overrides.importance,
-                                                       priority_paint, outer_shares_of_seen());
+    const Array<float> priorities =
+        path_priorities(*paths, *job.scene, job.view, e, job.overrides.importance, priority_paint);
     const Array<Index> ranks = rank_runs(*clipped, *runs, priorities, paths->id);
 
     Array<float> painted_density, mapped;
@@ -327,7 +313,6 @@ Array<float> Frame::left(float cut) {
     const Array<float> half_width = half_width_px(job.style, *paths, *clipped, *runs, density, scale());
 
     OwnBands own = own_bands(*clipped, *runs, ranks, half_width, float(hands_over * scale()));
-    own.precedence_of_rank = precedence_of_ranks(*clipped, *runs, ranks, priorities, paths->id);
     const Groups figures = group_runs(*clipped, *runs, paths->placement, true);
     mark_figures(figures, *runs, ranks, float(largest_figure * scale()), own);
     mark_dots(figures, pen_width_of_runs(job.style, *paths, *clipped, *runs, scale()), own);

@@ -21,7 +21,6 @@
 #include <fovea/draw/pen_paints.h>
 #include <fovea/draw/pens.h>
 #include <fovea/elision/in_time.h>
-#include <fovea/elision/outer_shares.h>
 #include <fovea/focus/focus.h>
 #include <fovea/path/paths.h>
 #include <fovea/scene/tracer.h>
@@ -153,7 +152,6 @@ class Frame {
     Runs over_frames(Runs runs);
     Runs with_ends(const Runs& runs) const;
     std::pair<Runs, Array<Index>> outlined(const Runs& runs) const;
-    Array<OuterShare> outer_shares_of_seen();
     Array<float> left(float cut);
     Painted painted(const std::string& attribute) const;
     Array<float> focus_along_lines();

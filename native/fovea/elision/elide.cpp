@@ -10,7 +10,6 @@ using namespace glm;
 
 struct Elision {
 #include <shared/elision.glsl>
-#include <shared/precedence.glsl>
 };
 
 }  // namespace formulas
@@ -20,11 +19,9 @@ namespace {
 /// The window of one sample.
 class Window {
    public:
-    /// `changing`: per rank (changing_ranks).
-    Window(const PriorityBuffer& buffer, const OwnBands& own, In<std::uint8_t> changing, std::size_t s)
+    Window(const PriorityBuffer& buffer, const OwnBands& own, std::size_t s)
         : buffer_(buffer),
           own_(own),
-          changing_(changing),
           place_(own.place[s]),
           band_(own.band[s]),
           ends_(own.ends[s]),
@@ -86,33 +83,25 @@ class Window {
     vec2 pixel(const Column& column, int k) {
         const std::size_t here = std::size_t(column.y[k]) * buffer_.width + std::size_t(column.x[k]);
         const float own = column.own[k];
+        float taken = 0.0f;
         const PriorityTexel& first = buffer_.first[here];
-        const vec2 left(-place_.w, place_.z), away = column.v[k] < 0.0f ? -left : left;
-        float taken = lost(first, own, column.u[k], away);
-        if (first.crossed) taken = std::max(taken, lost(buffer_.second[here], own, column.u[k], away));
+        if (first.rank > rank_) {
+            const vec2 left(-place_.w, place_.z), away = column.v[k] < 0.0f ? -left : left;
+            taken = lost(first, own, column.u[k], away);
+            if (first.crossed && buffer_.second[here].rank > rank_)
+                taken = std::max(taken, lost(buffer_.second[here], own, column.u[k], away));
+        }
         return column.inside[k] * vec2(taken, own);
-    }
-
-    bool changes(std::uint32_t rank) const { return !changing_.empty() && changing_[rank]; }
-
-    /// How far a line of another rank takes from this one.
-    float before(std::uint32_t other) {
-        if (other == 0 || other == rank_) return 0.0f;
-        if (!changes(rank_) && !changes(other)) return other > rank_ ? 1.0f : 0.0f;
-        return f_.precedence(own_.precedence_of_rank[rank_], own_.precedence_of_rank[other]);
     }
 
     /// The part of a pixel that is lost to another line.
     float lost(const PriorityTexel& other, float own, float u, vec2 away) {
-        const float before = this->before(other.rank);
-        if (before == 0.0f) return 0.0f;
         const vec2 across = vec2(other.away_x, other.away_y) / PriorityTexel::away_unit;
         const float others = other.rank < own_.figure_of_rank.size() ? own_.figure_of_rank[other.rank] : -1.0f;
         const float foreign = f_.elision_foreign(figure_, others);
         if (foreign == 0.0f) return 0.0f;
-        return before * foreign *
-               f_.elision_lost(place_, band_, own, u, away, across, other.right != 0, float(other.coverage) / 255.0f,
-                               meets(other.rank), shortness_, own_.reach_px);
+        return foreign * f_.elision_lost(place_, band_, own, u, away, across, other.right != 0,
+                                         float(other.coverage) / 255.0f, meets(other.rank), shortness_, own_.reach_px);
     }
 
     /// How far one of the run's ends, if near, lies in the band of the line of this rank, in [0, 1]. Evaluated lazily,
@@ -157,7 +146,6 @@ class Window {
 
     const PriorityBuffer& buffer_;
     const OwnBands& own_;
-    const In<std::uint8_t> changing_;
     formulas::Elision f_;
     vec4 place_, band_, ends_;
     vec3 figure_;
@@ -171,10 +159,9 @@ class Window {
 
 Array<vec2> crowding(const OwnBands& own, const PriorityBuffer& buffer, const Cancel* cancel) {
     Array<vec2> result(own.band.size());
-    const Array<std::uint8_t> changing = changing_ranks(own.precedence_of_rank);
     parallel_blocks(own.band.size(), 4096, [&](auto, std::size_t begin, std::size_t end) {
         if (cancel) cancel->poll();
-        for (std::size_t s = begin; s < end; ++s) result[s] = Window(buffer, own, changing, s).sum();
+        for (std::size_t s = begin; s < end; ++s) result[s] = Window(buffer, own, s).sum();
     });
     return result;
 }

@@ -32,10 +32,6 @@ struct OwnBands {
     /// Per rank: number of the figure of its run; -1: none. May be empty: there are no figures.
     Array<float> figure_of_rank;
 
-    /// Per rank: places in the order of all lines, and the share between (precedence_of_ranks). May be empty: no line
-    /// is changing.
-    Array<vec3> precedence_of_rank;
-
     /// Per run: how far it belongs to a dot, in [0, 1] (elision/figures.h). May be empty: there are none.
     Array<float> dot;
 

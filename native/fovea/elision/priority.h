@@ -5,7 +5,6 @@
 #pragma once
 
 #include <fovea/base/view.h>
-#include <fovea/elision/outer_shares.h>
 #include <fovea/path/paths.h>
 #include <fovea/scene/scene.h>
 #include <fovea/style/thinning.h>
@@ -16,39 +15,22 @@ namespace fovea::elision {
 /// Radius of a sphere in space that bounds the drawn placements; 0 if there are none.
 double scene_radius(const Scene& scene);
 
-/// What decides among lines that crowd each other, in [0, 1]: that of two lines if its kind is changing.
-struct Priority {
-    float value = 0.0f;  ///< between the two
-    float before = value, after = value;
-    float share = 0.0f;  ///< how far it has changed, in [0, 1]
-
-    bool is_changing() const { return before < after; }
-};
-
 /// Priority of each path in [0,1]: the mean of these terms, weighted by `weights`. Terms lie in [0,1], are continuous,
 /// and do not change with the scene's scale: `radius` is that of a sphere that bounds all that is drawn.
 /// - length: l / (l + radius / 10) for a path of length l in space; walls and outlines are long, details short.
 /// - kind: mean along the path of LineDefinition::importance; outlines before creases before lines on smooth surfaces.
-///   With `outer` (per point of Paths; may be empty), contours of a mesh count as silhouettes as far as they are.
 /// - strength: its mean along the path.
 /// - depth: radius / (radius + d) at mean distance d from the eye along the view axis; near before far.
 /// - object: `object`, per placement in [0,1], set by the caller; may be empty: .5.
 /// - painted: mean along the path of `painted`, per point of Paths or per path, in [0,1]; may be empty: no such term.
-/// What goes by behind a contour thus changes it steadily. NaN counts as 0. Throws std::invalid_argument for arrays of
-/// another length, and for weights below 0 or all 0.
-Array<Priority> path_priorities(const Paths& paths, const Scene& scene, const View& view, const style::Elision& weights,
-                                In<float> object, In<float> painted, In<OuterShare> outer = {});
+/// NaN counts as 0. Throws std::invalid_argument for arrays of another length, and for weights below 0 or all 0.
+Array<float> path_priorities(const Paths& paths, const Scene& scene, const View& view, const style::Elision& weights,
+                             In<float> object, In<float> painted);
 
 /// Rank of each run, from 1; higher ranks take precedence. Visible runs rank above hidden ones; within these, by
 /// priority of their path, then lower id, then lower path number. So all visible runs of a path share one rank, all its
 /// hidden ones another, and no other path has either. `priority`: per path of Paths; NaN ranks lowest. Cole 2009,
 /// section 5.2.2.
-Array<Index> rank_runs(const ClippedPaths& clipped, const Runs& runs, In<Priority> priority, In<std::uint64_t> id);
-
-/// Per rank from 0 on: places of its runs in the order of all runs, before and after what changes, and how far it has
-/// changed: so those that change pass others in proportion (shaders/shared/precedence.glsl). Empty if nothing does.
-/// `ranks`: of rank_runs.
-Array<vec3> precedence_of_ranks(const ClippedPaths& clipped, const Runs& runs, In<Index> ranks, In<Priority> priority,
-                                In<std::uint64_t> id);
+Array<Index> rank_runs(const ClippedPaths& clipped, const Runs& runs, In<float> priority, In<std::uint64_t> id);
 
 }  // namespace fovea::elision

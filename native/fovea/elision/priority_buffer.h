@@ -21,20 +21,15 @@ struct PriorityTexel {
 };
 
 /// Two layers, so that a crossing line does not mask one that runs alongside: `first` is the band of highest rank at a
-/// pixel, `second` the highest of those at more than 45 degrees to it, or that it is passing; undefined where `first`
-/// is not crossed. Bottom row first, width x height. Cole 2009, section 5.2.2, has one layer.
+/// pixel, `second` the highest of those at more than 45 degrees to it; undefined where `first` is not crossed. Bottom
+/// row first, width x height. Cole 2009, section 5.2.2, has one layer.
 struct PriorityBuffer {
     int width = 0, height = 0;
     Array<PriorityTexel> first, second;
 };
 
-/// Per rank: 1 if its line passes others (OwnBands::precedence_of_rank, which may be empty).
-Array<std::uint8_t> changing_ranks(In<vec3> precedence_of_rank);
-
-/// Rasterizes bands by pixel centers, clipped to the picture. `precedence_of_rank`: as OwnBands has it. Of bands of one
-/// rank at a pixel, the first drawn stays. Parallel over tiles; independent of the number of threads. May throw
-/// Cancelled.
-PriorityBuffer draw_priorities(const Bands& bands, int width, int height, In<vec3> precedence_of_rank = {},
-                               const Cancel* cancel = nullptr);
+/// Rasterizes bands by pixel centers, clipped to the picture. Of bands of one rank at a pixel, the first drawn stays.
+/// Parallel over tiles; independent of the number of threads. May throw Cancelled.
+PriorityBuffer draw_priorities(const Bands& bands, int width, int height, const Cancel* cancel = nullptr);
 
 }  // namespace fovea::elision

@@ -17,36 +17,15 @@ SurfaceView look_at(const Surface& surface, Index placement, const Tracer& trace
             .tracer = &tracer};
 }
 
-namespace {
-
-/// Which facets face the eye, on the original surface, as everywhere else: pre-stretching changes only the last digits.
-class Facing {
-   public:
-    Facing(const SurfaceView& seen, double edge_on)
-        : surface_(seen.surface.source() ? *seen.surface.source() : seen.surface),
-          eye_(glm::inverse(seen.surface.stretch()) * seen.eye_obj),
-          orthographic_(seen.orthographic),
-          edge_on_(edge_on) {}
-
-    bool operator()(std::size_t facet) const {
-        const dvec4 plane(surface_.facet_plane[facet]);
-        const double offset = orthographic_ ? 0.0 : plane.w;
-        return glm::dot(dvec3(plane), eye_) - offset >= edge_on_ * (glm::length(eye_) + std::abs(offset));
-    }
-
-   private:
-    const Surface& surface_;
-    const dvec3 eye_;
-    const bool orthographic_;
-    const double edge_on_;
-};
-
-}  // namespace
-
+/// Evaluated on the original surface, as everywhere else: pre-stretching changes only the last digits.
 Array<std::uint8_t> facing_of(const SurfaceView& seen, double edge_on) {
-    return parallel_map<std::uint8_t>(seen.surface.facet_count(), Facing(seen, edge_on));
+    const Surface& surface = seen.surface.source() ? *seen.surface.source() : seen.surface;
+    const dvec3 eye = glm::inverse(seen.surface.stretch()) * seen.eye_obj;
+    return parallel_map<std::uint8_t>(surface.facet_count(), [&](std::size_t f) {
+        const dvec4 plane(surface.facet_plane[f]);
+        const double offset = seen.orthographic ? 0.0 : plane.w;
+        return glm::dot(dvec3(plane), eye) - offset >= edge_on * (glm::length(eye) + std::abs(offset));
+    });
 }
-
-bool is_facing(const SurfaceView& seen, Index facet, double edge_on) { return Facing(seen, edge_on)(facet); }
 
 }  // namespace fovea::line

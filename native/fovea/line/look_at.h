@@ -18,7 +18,5 @@ inline constexpr double edge_on_to_viewer = 1e-6;
 /// SurfaceView::facing. `edge_on`: see edge_on_to_viewer; 0: facets face the eye whose planes have it on their front or
 /// in them.
 Array<std::uint8_t> facing_of(const SurfaceView& seen, double edge_on);
-/// The same of one facet.
-bool is_facing(const SurfaceView& seen, Index facet, double edge_on);
 
 }  // namespace fovea::line

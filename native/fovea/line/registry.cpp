@@ -85,27 +85,6 @@ Kinds contours() {
     return bits;
 }
 
-namespace {
-
-const LineDefinition* whole_of(const LineDefinition& definition) {
-    const auto* const rule = std::get_if<EdgeRule>(&definition.rule);
-    return rule ? rule->part_of : nullptr;
-}
-
-}  // namespace
-
-Kinds edge_parts() {
-    static const Kinds bits = kinds_that([](const LineDefinition& definition) { return whole_of(definition); });
-    return bits;
-}
-
-Kinds edge_wholes() {
-    static const Kinds bits = kinds_that([](const LineDefinition& whole) {
-        return std::ranges::any_of(line_definitions(), [&](const auto* part) { return whole_of(*part) == &whole; });
-    });
-    return bits;
-}
-
 Kinds kinds_of_one_shade() {
     static const Kinds bits = kinds_that([](const LineDefinition& definition) { return definition.shade.has_value(); });
     return bits;
@@ -114,14 +93,6 @@ Kinds kinds_of_one_shade() {
 Kinds kinds_in_section() {
     static const Kinds bits = kinds_that([](const LineDefinition& definition) { return definition.in_section; });
     return bits;
-}
-
-double importance_of(Kinds kinds) {
-    const auto& all = line_definitions();
-    double importance = 0.0;
-    for (Index i = 0; i < all.size(); ++i)
-        if (kinds >> i & 1) importance = std::max(importance, all[i]->importance);
-    return importance;
 }
 
 Kinds kind_of(const LineDefinition& definition) {

@@ -27,18 +27,11 @@ Values values_of(const LineDefinition& definition, std::span<const std::pair<std
 /// The bit of a definition.
 Kinds kind_of(const LineDefinition& definition);
 
-/// Greatest importance among some kinds; 0 for none.
-double importance_of(Kinds kinds);
-
 /// Bits of the definitions that find contours of the smooth surface, whole or in part.
 Kinds smooth_contours();
 
 /// Bits of those, and of the mesh-edge definition that finds all contours of the mesh.
 Kinds contours();
-/// Definitions on mesh edges that choose among the edges of another one (EdgeRule::part_of), as the outer ones; and
-/// those others.
-Kinds edge_parts();
-Kinds edge_wholes();
 
 /// Bits of definitions that lie on what the section plane cuts.
 Kinds kinds_in_section();
