@@ -35,15 +35,19 @@ Runs without_dots(const ClippedPaths& clipped, const Runs& visible, const Paths&
                paths.of_view[path];
     };
     Array<std::pair<Body, std::size_t>> dots;
-    for (std::size_t r = 0; r < visible.size(); ++r)
-        if (is_dot(r)) dots.push_back({body_of(paths, scene, clipped.path[visible.piece[r]]), r});
+    Array<std::uint8_t> has_dots(scene.placements.size(), 0);
+    for (std::size_t r = 0; r < visible.size(); ++r) {
+        if (!is_dot(r)) continue;
+        const Body body = body_of(paths, scene, clipped.path[visible.piece[r]]);
+        if (body.second == none) continue;
+        dots.push_back({body, r});
+        has_dots[body.first] = 1;
+    }
     if (dots.empty()) return visible;
     std::sort(dots.begin(), dots.end());
 
     // The bodies of dots of which larger lines are seen.
     Array<std::uint8_t> removed(visible.size(), 0);
-    Array<std::uint8_t> has_dots(scene.placements.size(), 0);
-    for (const auto& [body, r] : dots) has_dots[body.first] = body.second != none;
     for (std::size_t r = 0; r < visible.size(); ++r) {
         const Index group = groups.of_run[r], path = clipped.path[visible.piece[r]];
         if (group == none || groups.size_px[group] < dot_px || !has_dots[paths.placement[path]]) continue;
