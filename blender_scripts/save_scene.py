@@ -37,14 +37,16 @@ def save(path):
 
 
 def is_whole(path):
-    """Whether an uncompressed .blend exists and is not truncated: it is a chain of blocks, each with its size in its
-    head, up to an empty one at the end of the file."""
+    """Whether an uncompressed .blend exists and is not truncated: it is a chain of blocks, each with its code and size in
+    its head, up to an empty one at the end of the file. No code begins with 0, as a hole in the file does."""
     if not path.is_file():
         return False
     data = path.read_bytes()
     at, head, size_at, size_type = (17, 32, 16, "<q") if data[7:9].isdigit() else (12, 24, 4, "<i")
     while data[at : at + 4] != b"ENDB":
-        if at + head > len(data) or (size := struct.unpack_from(size_type, data, at + size_at)[0]) < 0:
+        if at + head > len(data) or not data[at]:
+            return False
+        if (size := struct.unpack_from(size_type, data, at + size_at)[0]) < 0:
             return False
         at += head + size
     return at + head == len(data)
