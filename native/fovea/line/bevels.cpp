@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fovea/line/bevels.h>
 
+#include <array>
+#include <span>
 #include <tuple>
 
 #include <fovea/base/disjoint_sets.h>
@@ -25,8 +27,9 @@ struct Row {
         double turn;  // negative where it turns the other way
         Index edge;
     };
-    std::vector<Step> steps;
-    double known_from = 0.0, known_to = 0.0;  // as far as its faces go
+    std::array<Step, 2 * most_steps + 1> room;  // the first edge in the middle
+    std::span<const Step> steps;                // of it, by `at`
+    double known_from = 0.0, known_to = 0.0;    // as far as its faces go
 };
 
 class Bevels {
@@ -108,7 +111,8 @@ class Bevels {
     /// Walks from an edge to both sides.
     void look_across(Index edge, Row& row) const {
         const double sign = edges_.turn(edge) < 0.0 ? -1.0 : 1.0;
-        row.steps.assign(1, {0.0, sign * edges_.turn(edge), edge});
+        row.room[most_steps] = {0.0, sign * edges_.turn(edge), edge};
+        int first = most_steps, last = most_steps;
         for (const int way : {-1, 1}) {
             double at = 0.0;
             Index from = edge;
@@ -118,13 +122,13 @@ class Bevels {
                 if (next.edge == edge) next = step(from, side, edge);
                 at += next.width;
                 if (next.edge == none) break;
-                row.steps.push_back({way * at, sign * edges_.turn(next.edge), next.edge});
+                row.room[way > 0 ? ++last : --first] = {way * at, sign * edges_.turn(next.edge), next.edge};
                 from = next.edge;
                 side = next.side;
             }
             (way > 0 ? row.known_to : row.known_from) = way * at;
         }
-        std::ranges::sort(row.steps, {}, &Row::Step::at);
+        row.steps = std::span(row.room).subspan(first, last - first + 1);
     }
 
     /// Whether the row goes far enough on both sides of a bevel.
