@@ -1315,6 +1315,7 @@ class ColorSlot:
         uv: int | None=None,
         attribute: int | None=None,
         unlit: bool=False,
+        opacity: float=0.0,
     ) -> None: ...
 
 class SurfaceColor:

@@ -32,6 +32,7 @@ class Source:
     attribute: str | None = None
     unlit: bool = False
     viewport: tuple = (0.8, 0.8, 0.8)  # replaces the color if the image or the attribute is missing
+    opacity: float = 0.0  # of a material that hides nothing: see materials.opacity
     followed: bool = True  # False: nodes that cannot be resolved statically; the viewport color replaces them
 
     @property

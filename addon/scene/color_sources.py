@@ -2,6 +2,7 @@
 """Reads the colors of a scene for native ColorSources: materials, images, attributes and the world."""
 
 import weakref
+from dataclasses import replace
 
 from . import color_nodes, kept, materials, shader_links
 from .color_corners import Corners
@@ -52,7 +53,7 @@ class Gathering:
         found = materials.of(obj, mesh)
         if repaired or not len(mesh.loops):
             sources = [self._source(material) for material in found]
-            slots = [self._core.ColorSlot(s.plain) for s in sources]
+            slots = [self._core.ColorSlot(s.plain, opacity=s.opacity) for s in sources]
             self.surfaces.append(self._core.SurfaceColor(slots))
             return
         corners = Corners(self._core, obj, mesh, surface, cage, self._cache)
@@ -76,7 +77,7 @@ class Gathering:
     def _source(self, material):
         name = material and material.name_full
         if name not in self._sources:
-            self._sources[name] = found = color_nodes.source(material)
+            self._sources[name] = found = replace(color_nodes.source(material), opacity=materials.opacity(material))
             if not found.followed:
                 self.unfollowed.add(name)
         return self._sources[name]
@@ -89,9 +90,9 @@ class Gathering:
         attribute = None if source.attribute is None else corners.attribute(source.attribute)
         if (source.image and uv is None) or (material and source.attribute is not None and attribute is None):
             self.unfollowed.add(material.name_full)
-            return self._core.ColorSlot(source.viewport, unlit=source.unlit)
+            return self._core.ColorSlot(source.viewport, unlit=source.unlit, opacity=source.opacity)
         own = (1.0, 1.0, 1.0) if attribute is not None else source.color
-        return self._core.ColorSlot(own, texture, uv, attribute, source.unlit)
+        return self._core.ColorSlot(own, texture, uv, attribute, source.unlit, source.opacity)
 
 
 def _world(scene):

@@ -40,6 +40,15 @@ def of(obj, mesh):
     return [linked.get(i, material) for i, material in enumerate(mesh.materials)] or [linked.get(0)]
 
 
+def opacity(material):
+    """How much of its own color a material has that hides nothing, before what lies behind it; 0 of one that hides
+    nothing only because Hides Lines says so."""
+    if material is None or _hides(material)[0]:
+        return 0.0
+    found = see_through.through(material)
+    return 1.0 - found.least if found.is_enough else 0.0
+
+
 def _slot(material, known):
     if material is None:
         return Slot("")

@@ -65,11 +65,12 @@ void bind_color(py::module_& m) {
              "(height, width, 1 to 4 channels) float32, bottom row first; encoded: as sRGB, else scene-linear.");
     py::class_<ColorSlot>(m, "ColorSlot", "What a material says about color.")
         .def(py::init([](const vec3& color, std::shared_ptr<ColorTexture> texture, std::optional<Index> uv,
-                         std::optional<Index> attribute, bool unlit) {
-                 return ColorSlot{color, std::move(texture), uv.value_or(none), attribute.value_or(none), unlit};
+                         std::optional<Index> attribute, bool unlit, float opacity) {
+                 return ColorSlot{color,  std::move(texture), uv.value_or(none), attribute.value_or(none), unlit,
+                                  opacity};
              }),
              py::arg("color"), py::arg("texture") = py::none(), py::arg("uv") = py::none(),
-             py::arg("attribute") = py::none(), py::arg("unlit") = false);
+             py::arg("attribute") = py::none(), py::arg("unlit") = false, py::arg("opacity") = 0.0f);
     py::class_<SurfaceColor, std::shared_ptr<SurfaceColor>>(m, "SurfaceColor",
                                                             "Colors of a surface; see native/fovea/color/source.h.")
         .def(py::init(&make_surface_color), py::arg("slots"), py::arg("normals") = py::none(),

@@ -111,6 +111,38 @@ def test_emission_shines_by_itself(scene, tmp_path, monkeypatch):
     assert np.allclose(layer_of(scene, tmp_path), (0.7, 0.6, 0.1), atol=1e-4)
 
 
+def pane(name, shader_values):
+    """A red square above the other one."""
+    mesh = new_mesh([(-2, -2, 1), (2, -2, 1), (2, 2, 1), (-2, 2, 1)], [], [(0, 1, 2, 3)])
+    made, shader, _ = material(name)
+    shader.inputs["Base Color"].default_value = (1, 0, 0, 1)
+    for key, value in shader_values.items():
+        shader.inputs[key].default_value = value
+    mesh.materials.append(made)
+    new_object(mesh, name)
+    return made
+
+
+def test_a_see_through_material_colors_what_lies_behind_it(scene, tmp_path):
+    made, shader, _ = material()
+    shader.inputs["Base Color"].default_value = (0, 0, 1, 1)
+    painted(made)
+    pane("Glass", {"Transmission Weight": 1.0})
+    assert np.allclose(layer_of(scene, tmp_path), (0, 0, 1), atol=1e-4)
+    film = pane("Film", {"Alpha": 0.25})
+    assert np.allclose(layer_of(scene, tmp_path), (0.25, 0, 0.75), atol=1e-4)
+    film.fovea.occlusion = "ALWAYS"
+    assert np.allclose(layer_of(scene, tmp_path), (1, 0, 0), atol=1e-4)
+
+
+def test_a_material_that_shall_hide_nothing_has_no_color(scene, tmp_path):
+    made, shader, _ = material()
+    shader.inputs["Base Color"].default_value = (0, 0, 1, 1)
+    painted(made)
+    pane("Wall", {}).fovea.occlusion = "NEVER"
+    assert np.allclose(layer_of(scene, tmp_path), (0, 0, 1), atol=1e-4)
+
+
 @pytest.mark.parametrize("kind", ["generated", "packed", "float"])
 def test_an_image_lies_on_the_active_map(scene, tmp_path, kind):
     made, shader, tree = material()

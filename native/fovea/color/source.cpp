@@ -16,6 +16,8 @@ void check_color(const SurfaceColor& color, const Surface& surface) {
         check(slot.uv == none || slot.uv < color.uvs.size(), surface.name() + ": a slot must name uvs that are given");
         check(slot.attribute == none || slot.attribute < color.attributes.size(),
               surface.name() + ": a slot must name an attribute that is given");
+        check(slot.opacity >= 0.0f && slot.opacity <= 1.0f,
+              surface.name() + ": the opacity of a slot must be between 0 and 1");
     }
 }
 

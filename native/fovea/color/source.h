@@ -16,6 +16,7 @@ struct ColorSlot {
     Index uv = none;         ///< index of the surface's UV map for the texture; none: texture unused
     Index attribute = none;  ///< index of the surface's color attribute
     bool unlit = false;      ///< emission: not lit
+    float opacity = 0.0f;    ///< of what does not occlude: how much of its own color it has, before what lies behind
 };
 
 /// Color data of a surface; corners are those of the mesh.
@@ -29,8 +30,8 @@ struct SurfaceColor {
 /// Per placement of a scene; null: default slots.
 using SceneColor = std::vector<std::shared_ptr<const SurfaceColor>>;
 
-/// Throws std::invalid_argument, naming the surface, if an array does not have one entry per corner, or a slot refers
-/// to one that does not exist.
+/// Throws std::invalid_argument, naming the surface, if an array does not have one entry per corner, a slot refers to
+/// one that does not exist, or an opacity is not between 0 and 1.
 void check_color(const SurfaceColor& color, const Surface& surface);
 
 }  // namespace fovea::color

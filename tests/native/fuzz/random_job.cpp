@@ -194,6 +194,7 @@ std::shared_ptr<SurfaceColor> random_color(Choices& choices, const Surface& surf
         ColorSlot slot;
         slot.color = vec3{number(), number(), number()};
         slot.unlit = choices.chance(0.2);
+        if (choices.chance(0.3)) slot.opacity = choices.chance(0.9) ? 0.3f : number();
         if (choices.chance(0.5)) {
             std::vector<float> pixels(12);
             for (float& v : pixels) v = number();
