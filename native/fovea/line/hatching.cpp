@@ -2,7 +2,7 @@
 // Hatching: curves on surfaces where families of parallel planes cut them, over what is darker than a tone.
 // In   planes of the camera, the world or each object; tone (line/tone.h), interpolated normals
 // Out  on each triangle the planes at multiples of a power of two of units, namely that which is nearest to the spacing
-//      on paper there: so lines stay where they are while a camera approaches, and others come in between. Each is cut
+//      on paper there: so lines stay where they are while a camera approaches, and others fade in between. Each is cut
 //      to where its power is called for, and to where the tone is below that of its family
 #include <algorithm>
 #include <array>
@@ -65,6 +65,10 @@ constexpr double step_reference_px = 4.0, end_px = 1.0 / 64.0;
 constexpr int most_steps = 512;
 /// Where the light changes amid a line, its strength does within so much [px].
 constexpr double ramp_px = 1.0;
+
+/// Lines that come in between others reach their strength where they are so many times as far apart as where they begin:
+/// while a camera approaches, none appears at once.
+constexpr double fade_in = 1.25;
 
 /// Lines of a family on one triangle, at most; more are left out in coarser powers of two.
 constexpr double most_levels = 4096.0;
@@ -400,11 +404,15 @@ class Hatcher {
             to = std::min(to, zero);
     }
 
-    /// Clips to where a level's power is that of the spacing, or a higher one. Across a flat triangle levels are closer
-    /// in proportion to distance, across others the distance between them is interpolated.
-    void clip_to_power(const Across& of, double& from, double& to) const {
-        if (of.level.power > 900) return;
-        const double least = spacing_ / (std::ldexp(1.0, of.level.power) * std::numbers::sqrt2);
+    /// Pixels between multiples of 1 from which on a level has lines: its power is that of the spacing, or higher.
+    double least_apart(const Level& level) const {
+        return level.power > 900 ? 0.0 : spacing_ / (std::ldexp(1.0, level.power) * std::numbers::sqrt2);
+    }
+
+    /// Clips to where multiples of 1 are at least so many pixels apart. Across a flat triangle they are closer in
+    /// proportion to distance, across others the distance between them is interpolated.
+    void clip_to_apart(const Across& of, double least, double& from, double& to) const {
+        if (least == 0.0) return;
         const Spot a = of.at(from), b = of.at(to);
         const double first = apart_px(of.family, a), last = apart_px(of.family, b);
         const bool is_flat = glm::distance(a.normal, b.normal) < 1e-6 && first > 0.0 && last > 0.0;
@@ -432,10 +440,15 @@ class Hatcher {
     }
 
     float strength(const Across& of, double t, Tone::Lit lit) const {
-        if (!(values_.swell > 0.0)) return 1.0f;
         const Spot spot = of.at(t);
-        const double share = tone_.at(spot.at, spot.normal, lit) / of.family.tone;
-        return static_cast<float>(1.0 - values_.swell * std::clamp(share, 0.0, 1.0));
+        double found = 1.0;
+        if (const double least = least_apart(of.level); least > 0.0)
+            found = std::clamp((apart_px(of.family, spot) / least - 1.0) / (fade_in - 1.0), 0.0, 1.0);
+        if (values_.swell > 0.0) {
+            const double share = tone_.at(spot.at, spot.normal, lit) / of.family.tone;
+            found *= 1.0 - values_.swell * std::clamp(share, 0.0, 1.0);
+        }
+        return static_cast<float>(found);
     }
 
     /// A point of a line, and how strong the line is there.
@@ -449,8 +462,10 @@ class Hatcher {
         for (int plane = 0; plane < planes; ++plane)
             clip(distance_to(plane, of.ends[0].spot.at), distance_to(plane, of.ends[1].spot.at), from, to);
         if (!(from < to)) return;
-        clip_to_power(of, from, to);
+        clip_to_apart(of, least_apart(of.level), from, to);
         if (!(from < to)) return;
+        double full_from = from, full_to = to;  // where it has faded in
+        clip_to_apart(of, fade_in * least_apart(of.level), full_from, full_to);
         const auto px = [&](double t) { return to_pixels(view_, view_.view_to_clip * dvec4(of.at(t).at, 1.0)); };
         const double length = glm::distance(px(from), px(to));
         if (!std::isfinite(length)) return;
@@ -465,9 +480,14 @@ class Hatcher {
 
         std::vector<Node> line;
         Index number = 0;
-        const auto add = [&](double x, Tone::Lit lit) {
-            const double t = in_space(x);
+        const auto add_at = [&](double t, Tone::Lit lit) {
             if (line.empty() || t > line.back().t) line.push_back({t, strength(of, t, lit)});
+        };
+        const auto add = [&](double x, Tone::Lit lit) { add_at(in_space(x), lit); };
+        const auto add_bends_between = [&](double x0, double x1, Tone::Lit lit) {
+            if (!(full_from < full_to)) return;
+            for (const double t : {full_from, full_to})
+                if (t > in_space(x0) && t < in_space(x1)) add_at(t, lit);
         };
         const auto finish = [&] {
             if (line.size() > 1) append_line(of, line, number, out);
@@ -485,6 +505,7 @@ class Hatcher {
                     const double middle = 0.5 * (own + other);
                     (drawn_at(of, in_space(middle)) == before ? own : other) = middle;
                 }
+                if (before.drawn) add_bends_between(last, own, before.lit);
                 if (before.drawn && now.drawn) {
                     // Light that changes right at an end, as beside what stands on a floor, does not count.
                     if (i == steps && 1.0 - own < ramp) {
@@ -498,8 +519,13 @@ class Hatcher {
                     add(own, before.lit);
                     finish();
                 }
-                if (now.drawn) add(other, now.lit);
+                if (now.drawn) {
+                    add(other, now.lit);
+                    add_bends_between(other, here, now.lit);
+                }
                 since = other;
+            } else if (now.drawn) {
+                add_bends_between(last, here, now.lit);
             }
             if (now.drawn && (i == steps || values_.swell > 0.0)) add(here, now.lit);
             before = now;
