@@ -185,3 +185,15 @@ TEST(OwnSurface, LinesBehindATiltedPlaneNeverLeak) {
             }
         }
 }
+
+TEST(OwnSurface, LinesAcrossLargeTrianglesAreHiddenByWhatIsRightBeforeThem) {
+    const dmat4 upright = glm::rotate(dmat4(1.0), glm::radians(90.0), dvec3(1, 0, 0));
+    const View view = perspective({4, -7, 1}, {0, 0, 0}, 50.0);
+    const auto seen = [&](std::vector<Placement> placements) {
+        return Drawing(std::move(placements), view, {line_set({"topographic"})}).visible_px(0);
+    };
+    const Placement wall = place(meshes::grid(1, 9.0f), upright);
+    EXPECT_GT(seen({wall}), 500.0);
+    for (const double distance : {0.5, 0.1, 0.05})
+        EXPECT_EQ(seen({wall, place(meshes::grid(1, 9.0f), moved({0, -distance, 0}) * upright, 2)}), 0.0) << distance;
+}

@@ -155,6 +155,9 @@ void Tracer::check_current() const {
             check(false, made.surface->name() + ": moved after its tracer was made; make a new one");
 }
 
+/// Offset of lines across triangles from their surface, at most [px].
+constexpr double most_offset_px = 2.0;
+
 Ignore Tracer::ignore_at(Index placement, Index place, Index other_facet, bool contour) const {
     const Surface& surface = *scene_.placements[placement].surface;
     if (surface.is_edge(place)) {
@@ -181,13 +184,21 @@ Ignore Tracer::ignore_at(Index placement, Index place, Index other_facet, bool c
     // An open shell may be seen from either side; a contour is offset to the outside of its surface.
     const double sign = contour ? (mirrored ? -1.0 : 1.0) : (away ? -1.0 : 1.0);
     const double height = size > 0.0 ? size / longest : 0.0;
-    if (height > 0.0) ignore.above = vec3(sign * height * (contour ? 0.28 : 0.1) / size * normal);
+    // Roughness is that of triangles; larger ones are flat, with things right before them.
+    const double offset = contour ? 0.28 * height : std::min(0.1 * height, most_offset_px * px_at(c));
+    if (height > 0.0) ignore.above = vec3(sign * offset / size * normal);
     if (contour) {
         ignore.reach = static_cast<float>(2.0 * longest);
         ignore.bodies = bodies_of(surface).get();  // kept by the surface, which stays as it is as long as the tracer
         ignore.body = ignore.bodies->of_facet[surface.triangle_facet[triangle]];
     }
     return ignore;
+}
+
+double Tracer::px_at(const std::array<dvec3, 3>& corners) const {
+    const double side = 2.0 / (std::abs(view_.view_to_clip[0][0]) * view_.width);
+    if (view_.orthographic) return side;
+    return side * std::max(view_.near_clip, -std::max({corners[0].z, corners[1].z, corners[2].z}));
 }
 
 std::array<dvec3, 3> Tracer::corners(Index placement, Index triangle) const {

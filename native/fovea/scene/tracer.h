@@ -137,6 +137,8 @@ class Tracer {
     Outline outline(const Hit& hit) const;
 
    private:
+    /// Side of a pixel in space at the nearest of a triangle's corners.
+    double px_at(const std::array<dvec3, 3>& corners) const;
     /// Corners of a triangle, in view space.
     std::array<dvec3, 3> corners(Index placement, Index triangle) const;
     /// Ray from the eye, or from the near plane, to a point; empty (far_t <= near_t) if the point is before the near
