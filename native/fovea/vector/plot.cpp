@@ -13,12 +13,13 @@ constexpr double double_mm = 0.2;  // along which they run together at least
 constexpr double joint_mm = 0.1;   // between ends that are joined
 constexpr double flat_mm = 0.01;   // between curves and the lines that their lengths are measured by
 
-/// Number of the segment of a closed curve with which the way from one place over it to another is shortest.
-std::size_t best_start(const Curve& curve, const dvec2& from, const std::optional<dvec2>& to) {
+/// Number of the segment of a closed curve with which the way from a place over it to the next path, if any, is
+/// shortest.
+std::size_t best_start(const Curve& curve, const dvec2& from, const Path* next) {
     std::size_t best = 0, number = 0;
     double shortest = -1.0;
     for_each_segment(curve, [&](const dvec2* p, bool) {
-        const double way = glm::distance(from, p[0]) + (to ? glm::distance(p[0], *to) : 0.0);
+        const double way = glm::distance(from, p[0]) + (next ? glm::distance(p[0], next->curves[0].start()) : 0.0);
         if (shortest < 0.0 || way < shortest - 1e-9) {
             shortest = way;
             best = number;
@@ -48,8 +49,7 @@ void start_closed_ones_near(std::vector<Path>& paths, dvec2 at) {
     for (std::size_t i = 0; i < paths.size(); ++i) {
         Curve& curve = paths[i].curves[0];
         if (curve.closed) {
-            const auto next = i + 1 < paths.size() ? std::optional(paths[i + 1].curves[0].start()) : std::nullopt;
-            curve = rotated(curve, best_start(curve, at, next));
+            curve = rotated(curve, best_start(curve, at, i + 1 < paths.size() ? &paths[i + 1] : nullptr));
         }
         at = curve.end();
     }
