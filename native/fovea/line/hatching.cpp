@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Hatching: curves on surfaces where families of parallel planes cut them, over what is darker than a tone.
 // In   planes of the camera, the world or each object; tone (line/tone.h), interpolated normals
-// Out  on each triangle the planes at multiples of a power of two of units, namely that which is nearest to the spacing
-//      on paper there: so lines stay where they are while a camera approaches, and others fade in between. Each is cut
-//      to where its power is called for, and to where the tone is below that of its family
+// Out  on each triangle the levels of line/hatch_levels.h: so lines stay where they are while a camera approaches, and
+//      others fade in between. Each is cut to where its power is called for, and to where the tone is below that of its
+//      family
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
-#include <numbers>
 
 #include <fovea/base/elementary.h>
 #include <fovea/base/hash.h>
 #include <fovea/field/corner_normals.h>
 #include <fovea/field/shape.h>
+#include <fovea/line/hatch_levels.h>
 #include <fovea/line/tone.h>
 #include <fovea/mesh/triangle_sides.h>
 
@@ -56,34 +56,15 @@ const Parameters<Hatching> parameters{
      "How many lights count, those that are strongest amid the scene first; without any there is one at the eye"},
     {&Hatching::shadows, "shadows", "Cast Shadows", true, "What lies in the shadow of something else is dark"}};
 
-/// Of the spacing between lines where the surface faces the viewer, that where it is almost parallel to the planes is
-/// not more than this many times as dense in space: there lines would turn with every ripple.
-constexpr double most_turned = 8.0;
-
 /// Steps along lines at which light is looked for [reference px], at most so many, and the precision of ends [px].
 constexpr double step_reference_px = 4.0, end_px = 1.0 / 64.0;
 constexpr int most_steps = 512;
 /// Where the light changes amid a line, its strength does within so much [px].
 constexpr double ramp_px = 1.0;
 
-/// Lines that come in between others reach their strength where they are so many times as far apart as where they begin:
-/// while a camera approaches, none appears at once.
+/// Lines that come in between others reach their strength where they are so many times as far apart as where they
+/// begin: while a camera approaches, none appears at once.
 constexpr double fade_in = 1.25;
-
-/// Lines of a family on one triangle, at most; more are left out in coarser powers of two.
-constexpr double most_levels = 4096.0;
-
-/// Margin of the frame beyond which there are no lines, as a share of its half size: that of project/clip.h and more.
-constexpr double frame_margin = 0.15;
-
-/// Planes dot(along, p) + offset = any number, p in view space.
-struct Family {
-    dvec3 along;
-    double offset;
-    double tone;
-    Index number;
-    double at(const dvec3& p) const { return glm::dot(along, p) + offset; }
-};
 
 struct Middle {
     dvec3 of{0.0};
@@ -109,7 +90,7 @@ dvec3 normal_of(const Hatching& values, int family) {
 
 /// Planes of the camera go through the middle of the surface, so that they move along with it. Others are a share of a
 /// unit away from the origin: planes through it are those of faces.
-Family family_of(const SurfaceView& seen, const Hatching& values, int number) {
+HatchFamily family_of(const SurfaceView& seen, const Hatching& values, int number) {
     constexpr double away = 0.381966;
     const dvec3 n = normal_of(values, number);
     if (values.planes == of_camera) {
@@ -122,29 +103,11 @@ Family family_of(const SurfaceView& seen, const Hatching& values, int number) {
     return {along, away - glm::dot(along, dvec3(to_view[3])), values.tone(number), Index(number)};
 }
 
-/// Point of a triangle or of a chord across it.
-struct Spot {
-    dvec3 at;      ///< view space
-    dvec3 normal;  ///< of unit length, to the viewer's side of the facet
-};
-
-Spot mix(const Spot& a, const Spot& b, double t) {
-    const dvec3 normal = glm::mix(a.normal, b.normal, t);
-    const double length = glm::length(normal);
-    return {glm::mix(a.at, b.at, t), length > 0.0 ? normal / length : a.normal};
-}
-
 /// End of a chord on a side of its triangle.
 struct End {
-    Spot spot;
+    HatchSpot spot;
     dvec3 in_surface;
     Index side;
-};
-
-/// A level of a family: a multiple of 2^power, and of no higher one.
-struct Level {
-    double value;
-    int power;
 };
 
 /// What is drawn at a place of a chord, and by which lights.
@@ -171,9 +134,8 @@ class Hatcher {
           normal_to_view_(glm::transpose(glm::inverse(dmat3(seen.object_to_view)))),
           is_smooth_(field::shape_of(seen.surface) == Shape::smooth),
           shaded_(seen.tracer->scene(), seen.placement, viewer(view_)),
-          per_px_{2.0 / (std::abs(view_.view_to_clip[0][0]) * view_.width),
-                  2.0 / (std::abs(view_.view_to_clip[1][1]) * view_.height)},
           spacing_(values.spacing * view_.reference_scale),
+          levels_(view_, spacing_),
           step_px_(step_reference_px * view_.reference_scale) {
         for (int f = 0; f < values.families; ++f) families_.push_back(family_of(seen, values, f));
         const Surface& surface = seen.surface;
@@ -191,7 +153,7 @@ class Hatcher {
     bool is_dot() const {
         const dvec3 center(seen_.object_to_view * dvec4(dvec3(seen_.surface.center), 1.0));
         const double radius = glm::length(seen_.object_to_view[0]) * seen_.surface.radius;
-        return -center.z - radius > view_.near_clip && 2.0 * radius < spacing_ * px_at(center) * least_turn;
+        return -center.z - radius > view_.near_clip && 2.0 * radius < spacing_ * levels_.px_at(center) * least_turn;
     }
 
     void append(Index triangle, Curves& out) const {
@@ -200,13 +162,13 @@ class Hatcher {
         const dvec3 sum = p[0] + p[1] + p[2];
         if (!std::isfinite(sum.x + sum.y + sum.z)) return;
         int outside[3];
-        for (int i = 0; i < 3; ++i) outside[i] = outcode(p[i]);
+        for (int i = 0; i < 3; ++i) outside[i] = levels_.outcode(p[i]);
         if (outside[0] & outside[1] & outside[2]) return;
         const Index facet = seen_.surface.triangle_facet[triangle];
         const dvec3 across = normal_to_view_ * dvec3(seen_.surface.facet_plane[facet]);
         const double facing = glm::dot(across, view_.orthographic ? dvec3(0, 0, 1) : -p[0]);
         if (facing == 0.0 || !std::isfinite(facing) || (facing < 0.0 && hides_back(facet))) return;
-        Corners corners;
+        HatchLevels::Corners corners;
         for (int i = 0; i < 3; ++i) {
             const dvec3 n = normal_to_view_ * dvec3(normals_->at(t, triangle, i));
             const double length = glm::length(n);
@@ -214,8 +176,8 @@ class Hatcher {
             corners[i] = {p[i], (facing < 0.0 ? -1.0 : 1.0) / length * n};
         }
         const bool whole = !(outside[0] | outside[1] | outside[2]);
-        for (const Family& family : families_)
-            for (const Level& level : levels(family, corners, whole)) {
+        for (const HatchFamily& family : families_)
+            for (const HatchLevel& level : levels_.on(family, corners, whole)) {
                 std::array<End, 2> ends;
                 if (chord(family, triangle, corners, level.value, ends))
                     append_chord({family, triangle, level, ends}, out);
@@ -223,32 +185,16 @@ class Hatcher {
     }
 
    private:
-    using Corners = std::array<Spot, 3>;
-    using Polygon = std::vector<Spot>;
     static constexpr double least_turn = 0.5;
 
     /// A chord of a level across a triangle.
     struct Across {
-        const Family& family;
+        const HatchFamily& family;
         Index triangle;
-        Level level;
+        HatchLevel level;
         const std::array<End, 2>& ends;
-        Spot at(double t) const { return mix(ends[0].spot, ends[1].spot, t); }
+        HatchSpot at(double t) const { return mix(ends[0].spot, ends[1].spot, t); }
     };
-
-    double distance_to(int plane, const dvec3& p) const {
-        if (plane == 0) return -p.z - view_.near_clip;
-        const dvec4 clip = view_.view_to_clip * dvec4(p, 1.0);
-        const double w = clip.w * (1.0 + frame_margin), along = plane < 3 ? clip.x : clip.y;
-        return w + (plane & 1 ? along : -along);
-    }
-    static constexpr int planes = 5;
-
-    int outcode(const dvec3& p) const {
-        int bits = 0;
-        for (int plane = 0; plane < planes; ++plane) bits |= (distance_to(plane, p) < 0.0) << plane;
-        return bits;
-    }
 
     bool hides_back(Index facet) const {
         const Surface& surface = *seen_.tracer->scene().placements[seen_.placement].surface;
@@ -256,120 +202,9 @@ class Hatcher {
         return bodies_ && bodies_->of_facet[facet] != none && bodies_->outward[bodies_->of_facet[facet]];
     }
 
-    /// Length in space of a pixel at a point, along the axes of the image.
-    dvec2 sides_of_px(const dvec3& p) const { return per_px_ * (view_.orthographic ? 1.0 : -p.z); }
-    double px_at(const dvec3& p) const {
-        const dvec2 sides = sides_of_px(p);
-        return std::max(sides.x, sides.y);
-    }
-
-    /// Pixels between levels that are 1 apart, as they lie on the surface there; negative beyond its contour.
-    double apart_px(const Family& family, const Spot& spot) const {
-        const dvec3 way = view_.orthographic ? dvec3(0, 0, -1) : spot.at;
-        const double facing = glm::dot(spot.normal, way);
-        const dvec3 slope = family.along * facing - spot.normal * glm::dot(family.along, way);
-        const dvec2 px = sides_of_px(spot.at);
-        const double steep = glm::length(dvec2(slope) * px);
-        const double most = most_turned / (glm::length(family.along) * std::max(px.x, px.y));
-        return steep * most > -facing ? -facing / steep : most;
-    }
-
-    /// The lowest power of two whose multiples are as far apart as the spacing, or nearly so, where multiples of 1 are
-    /// `apart` pixels apart.
-    int power_for(double apart) const {
-        int power = 0;
-        const double share = std::frexp(spacing_ * std::numbers::sqrt2 * 0.5 / apart, &power);
-        return share == 0.5 ? power - 1 : power;
-    }
-
-    /// Upper bound of apart_px over a polygon in a plane with a normal. The gradient of a family in the image is, at
-    /// any distance, the distance times what depends on the value of the family alone.
-    double most_apart(const Family& family, const Polygon& polygon, const dvec3& normal, double low,
-                      double high) const {
-        double apart = 0.0, near = HUGE_VAL;
-        for (const Spot& corner : polygon) {
-            apart = std::max(apart, apart_px(family, corner));
-            near = std::min(near, -corner.at.z);
-        }
-        if (view_.orthographic) return apart;
-        const double offset = glm::dot(normal, polygon[0].at);
-        const dvec2 along = dvec2(family.along) * per_px_, turned = dvec2(normal) * per_px_;
-        const double first = (low - family.offset) / offset, last = (high - family.offset) / offset,
-                     flat = glm::dot(turned, turned), least = flat > 0.0 ? glm::dot(along, turned) / flat : 0.0;
-        if (!std::isfinite(first + last)) return apart;
-        const double at = std::clamp(least, std::min(first, last), std::max(first, last));
-        const double most = most_turned / (glm::length(family.along) * std::max(per_px_.x, per_px_.y) * near);
-        return std::max(apart, std::min(most, 1.0 / (near * glm::length(along - at * turned))));
-    }
-
-    /// Appends the multiples of a power of two between the values at a polygon's corners that may have a line there.
-    void append_levels(const Family& family, const Polygon& polygon, const dvec3& normal,
-                       std::vector<Level>& found) const {
-        constexpr double slack = 1.25;  // where normals are interpolated
-        double low = HUGE_VAL, high = -HUGE_VAL;
-        for (const Spot& corner : polygon) {
-            low = std::min(low, family.at(corner.at));
-            high = std::max(high, family.at(corner.at));
-        }
-        if (!(low < high)) return;
-        const double apart = most_apart(family, polygon, normal, low, high);
-        if (!(apart > 0.0)) return;
-        int power = power_for(apart * slack);
-        if (power < -900 || power > 900) return;
-        while ((high - low) > std::ldexp(most_levels, power)) ++power;
-        const double step = std::ldexp(1.0, power), first = std::ceil(low / step), last = std::floor(high / step);
-        if (!(std::abs(first) < 0x1p52 && std::abs(last) < 0x1p52)) return;
-        for (double m = first; m <= last; ++m) {
-            const auto number = static_cast<std::uint64_t>(std::abs(m));
-            found.push_back({m * step, number == 0 ? 1000 : power + std::countr_zero(number)});
-        }
-    }
-
-    Polygon clipped(const Polygon& polygon, const auto& distance) const {
-        Polygon kept;
-        for (std::size_t i = 0; i < polygon.size(); ++i) {
-            const Spot &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
-            const double da = distance(a.at), db = distance(b.at);
-            if (da >= 0.0) kept.push_back(a);
-            if ((da >= 0.0) != (db >= 0.0)) kept.push_back(mix(a, b, da / (da - db)));
-        }
-        return kept;
-    }
-
-    /// Levels that may have a line on a triangle, ascending. `whole`: all of it is in the frame.
-    std::vector<Level> levels(const Family& family, const Corners& corners, bool whole) const {
-        std::vector<Level> found;
-        const dvec3 normal = glm::cross(corners[1].at - corners[0].at, corners[2].at - corners[0].at);
-        Polygon polygon(corners.begin(), corners.end());
-        double near = HUGE_VAL, far = 0.0;
-        const auto measure = [&] {
-            near = HUGE_VAL, far = 0.0;
-            for (const Spot& corner : polygon) near = std::min(near, -corner.at.z), far = std::max(far, -corner.at.z);
-        };
-        measure();
-        if (whole && (view_.orthographic || far < 1.5 * near)) {
-            append_levels(family, polygon, normal, found);
-            return found;
-        }
-        for (int plane = 0; plane < planes && !polygon.empty(); ++plane)
-            polygon = clipped(polygon, [&](const dvec3& p) { return distance_to(plane, p); });
-        measure();
-        // Slabs of twice the distance each, in which spacing differs little. Of huge triangles clipping is not exact.
-        const double first = view_.orthographic ? HUGE_VAL : 2.0 * std::max(near, view_.near_clip);
-        for (double split = first; polygon.size() >= 3; split *= 2.0) {
-            append_levels(family, clipped(polygon, [&](const dvec3& p) { return p.z + split; }), normal, found);
-            if (!(split < far)) break;
-            polygon = clipped(polygon, [&](const dvec3& p) { return -split - p.z; });
-        }
-        std::ranges::sort(found, {}, &Level::value);
-        const auto rest = std::ranges::unique(found, {}, &Level::value);
-        found.erase(rest.begin(), rest.end());
-        return found;
-    }
-
     /// Where a level crosses a triangle. Zero counts as positive, so that each side is crossed in both of its triangles
     /// or in neither, and points are the same from both.
-    bool chord(const Family& family, Index triangle, const Corners& corners, double level,
+    bool chord(const HatchFamily& family, Index triangle, const HatchLevels::Corners& corners, double level,
                std::array<End, 2>& ends) const {
         const Triangle& t = seen_.surface.triangles[triangle];
         double above[3];
@@ -390,44 +225,8 @@ class Hatcher {
         return true;
     }
 
-    /// Clips an interval to where a linear quantity with these values at 0 and 1 is positive.
-    static void clip(double at_0, double at_1, double& from, double& to) {
-        if (at_0 >= 0.0 && at_1 >= 0.0) return;
-        if (!(at_0 > 0.0) && !(at_1 > 0.0)) {
-            to = -1.0;
-            return;
-        }
-        const double zero = at_0 / (at_0 - at_1);
-        if (at_0 < at_1)
-            from = std::max(from, zero);
-        else
-            to = std::min(to, zero);
-    }
-
-    /// Pixels between multiples of 1 from which on a level has lines: its power is that of the spacing, or higher.
-    double least_apart(const Level& level) const {
-        return level.power > 900 ? 0.0 : spacing_ / (std::ldexp(1.0, level.power) * std::numbers::sqrt2);
-    }
-
-    /// Clips to where multiples of 1 are at least so many pixels apart. Across a flat triangle they are closer in
-    /// proportion to distance, across others the distance between them is interpolated.
-    void clip_to_apart(const Across& of, double least, double& from, double& to) const {
-        if (least == 0.0) return;
-        const Spot a = of.at(from), b = of.at(to);
-        const double first = apart_px(of.family, a), last = apart_px(of.family, b);
-        const bool is_flat = glm::distance(a.normal, b.normal) < 1e-6 && first > 0.0 && last > 0.0;
-        double begin = 0.0, end = 1.0;
-        if (is_flat)
-            clip(1.0 / least - 1.0 / first, 1.0 / least - 1.0 / last, begin, end);
-        else
-            clip(first - least, last - least, begin, end);
-        const double start = from, way = to - from;
-        if (begin > 0.0) from = start + begin * way;
-        if (end < 1.0) to = start + end * way;
-    }
-
     Drawn drawn_at(const Across& of, double t) const {
-        const Spot spot = of.at(t);
+        const HatchSpot spot = of.at(t);
         if (values_.swell > 0.0) {
             const Tone::Lit lit = tone_.lit_at(shaded_, of.triangle, spot.at);
             return {tone_.at(spot.at, spot.normal, lit) < of.family.tone, lit};
@@ -440,10 +239,10 @@ class Hatcher {
     }
 
     float strength(const Across& of, double t, Tone::Lit lit) const {
-        const Spot spot = of.at(t);
+        const HatchSpot spot = of.at(t);
         double found = 1.0;
-        if (const double least = least_apart(of.level); least > 0.0)
-            found = std::clamp((apart_px(of.family, spot) / least - 1.0) / (fade_in - 1.0), 0.0, 1.0);
+        if (const double least = levels_.least_apart(of.level); least > 0.0)
+            found = std::clamp((levels_.apart_px(of.family, spot) / least - 1.0) / (fade_in - 1.0), 0.0, 1.0);
         if (values_.swell > 0.0) {
             const double share = tone_.at(spot.at, spot.normal, lit) / of.family.tone;
             found *= 1.0 - values_.swell * std::clamp(share, 0.0, 1.0);
@@ -458,14 +257,14 @@ class Hatcher {
     };
 
     void append_chord(const Across& of, Curves& out) const {
-        double from = 0.0, to = 1.0;
-        for (int plane = 0; plane < planes; ++plane)
-            clip(distance_to(plane, of.ends[0].spot.at), distance_to(plane, of.ends[1].spot.at), from, to);
-        if (!(from < to)) return;
-        clip_to_apart(of, least_apart(of.level), from, to);
-        if (!(from < to)) return;
-        double full_from = from, full_to = to;  // where it has faded in
-        clip_to_apart(of, fade_in * least_apart(of.level), full_from, full_to);
+        const HatchSpot &begin = of.ends[0].spot, &end = of.ends[1].spot;
+        const ChordPart framed = levels_.in_frame(begin.at, end.at);
+        if (framed.empty()) return;
+        const double least = levels_.least_apart(of.level);
+        const ChordPart part = levels_.where_apart(of.family, begin, end, least, framed);
+        if (part.empty()) return;
+        const ChordPart full = levels_.where_apart(of.family, begin, end, fade_in * least, part);  // faded in
+        const double from = part.from, to = part.to;
         const auto px = [&](double t) { return to_pixels(view_, view_.view_to_clip * dvec4(of.at(t).at, 1.0)); };
         const double length = glm::distance(px(from), px(to));
         if (!std::isfinite(length)) return;
@@ -485,8 +284,8 @@ class Hatcher {
         };
         const auto add = [&](double x, Tone::Lit lit) { add_at(in_space(x), lit); };
         const auto add_bends_between = [&](double x0, double x1, Tone::Lit lit) {
-            if (!(full_from < full_to)) return;
-            for (const double t : {full_from, full_to})
+            if (full.empty()) return;
+            for (const double t : {full.from, full.to})
                 if (t > in_space(x0) && t < in_space(x1)) add_at(t, lit);
         };
         const auto finish = [&] {
@@ -565,9 +364,10 @@ class Hatcher {
     const dmat3 normal_to_view_;
     const bool is_smooth_;
     const ShadedSurface shaded_;
-    const dvec2 per_px_;
-    const double spacing_, step_px_;
-    std::vector<Family> families_;
+    const double spacing_;
+    const HatchLevels levels_;
+    const double step_px_;
+    std::vector<HatchFamily> families_;
     Array<dvec3> place_;  // of the vertices, in view space
     std::shared_ptr<const Bodies> bodies_;
 };
