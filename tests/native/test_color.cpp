@@ -71,7 +71,7 @@ TEST(Color, BrokenInputHasAPicture) {
     const Tracer tracer(scene, perspective({5, -4, 3}, {0, 0, 0}, 50.0, 64, 48));
     const float nan = std::numeric_limits<float>::quiet_NaN();
     auto broken = std::make_shared<SurfaceColor>();
-    broken->slots = {{.color = vec3(nan), .texture = {}, .uv = none, .attribute = none, .unlit = false}};
+    broken->slots = {{.color = vec3(nan), .texture = {}, .uv = none, .attribute = none, .unlit = false, .opacity = 0.0f}};
     const Light lights[] = {{.kind = Light::point, .position = dvec3(0.0), .color = vec3(nan)},
                             {.kind = Light::spot, .position = dvec3(0.0), .direction = dvec3(0.0)}};
     const SceneColor colors{broken, nullptr};
@@ -84,7 +84,7 @@ TEST(Color, NumbersThatAreNoneHaveAPictureOnBothSidesOfAPlacementWithoutVolume) 
     const Tracer tracer(scene, perspective({5, -4, 3}, {0, 0, 0}, 50.0, 64, 48));
     const float nan = std::numeric_limits<float>::quiet_NaN(), inf = std::numeric_limits<float>::infinity();
     auto broken = std::make_shared<SurfaceColor>();
-    broken->slots = {{.color = vec3(1.0f), .texture = {}, .uv = none, .attribute = 0, .unlit = false}};
+    broken->slots = {{.color = vec3(1.0f), .texture = {}, .uv = none, .attribute = 0, .unlit = false, .opacity = 0.0f}};
     broken->attributes.emplace_back(scene.placements[0].surface->corner_count(), vec3(nan, inf, -inf));
     const Light lights[] = {{.kind = Light::sun, .direction = dvec3(inf), .color = vec3(1.0f)},
                             {.kind = Light::sun, .direction = {0, 0, -1}, .color = vec3(1.0f)}};

@@ -35,7 +35,10 @@ struct Panes {
             mesh.one_sided = {std::uint8_t(pane.one_sided)};
             placements.push_back(place(mesh, dmat4(1.0), placements.size() + 1));
             auto color = std::make_shared<SurfaceColor>();
-            color->slots.push_back({.color = pane.color, .opacity = std::max(pane.opacity, 0.0f)});
+            ColorSlot slot;
+            slot.color = pane.color;
+            slot.opacity = std::max(pane.opacity, 0.0f);
+            color->slots.push_back(slot);
             colors.push_back(color);
         }
     }
