@@ -9,7 +9,8 @@ from pathlib import Path
 
 import numpy as np
 
-from . import native, svg_drawing
+from . import native, paper_scale, svg_drawing
+from .paper_scale import Millimeters
 
 LINES_SIZE = 1024, 1024  # of an NPZ that does not say it: what `fovea lines` takes
 USUAL_DIAGONAL = 1280  # pixels, of 1024 x 768: of drawings that have any size
@@ -30,6 +31,11 @@ class Drawing:
     bitmap: object
     shape: tuple = ()  # width and height of one that has any size
     gray: object = None  # native GrayImage of a scan or picture
+    millimeters: tuple | None = None  # width and height on paper, where the file says it
+
+    def px_per_mm(self, size):
+        """Of a frame of (width, height) pixels that it fills; None: it does not say how large it is."""
+        return float(min(np.array(size) / self.millimeters)) if self.millimeters else None
 
 
 @dataclass(frozen=True)
@@ -55,8 +61,12 @@ def read(path):
 
 
 def of_png(path):
-    gray = native.load().GrayImage.of_png(path.read_bytes())
-    return Drawing(path.stem, gray.values.shape[::-1], lambda _size: gray.lines(), gray=gray)
+    content = path.read_bytes()
+    gray = native.load().GrayImage.of_png(content)
+    size = gray.values.shape[::-1]
+    return Drawing(
+        path.stem, size, lambda _size: gray.lines(), gray=gray, millimeters=paper_scale.of_png(content, size)
+    )
 
 
 def of_npz(path):
@@ -86,7 +96,7 @@ def of_svg(path):
         transforms[:, 4:] += (np.array(size) - scale * np.array(found.size)) / 2
         return native.load().Bitmap.of_svg(found.data, transforms, found.is_filled, *size)
 
-    return Drawing(path.stem, None, bitmap, found.size)
+    return Drawing(path.stem, None, bitmap, found.size, millimeters=found.millimeters)
 
 
 READERS = {".png": of_png, ".svg": of_svg, ".npz": of_npz}
@@ -98,15 +108,32 @@ def title(path):
 
 
 def of_drawings(drawings, tolerance=None, register=None):
-    """The Compared of Drawings: the first is judged by the others. `register`: how pictures among those are registered
-    to the first, one of REGISTERED. ValueError in a sentence where that is not possible."""
+    """The Compared of Drawings: the first is judged by the others. `tolerance`: [px], Millimeters, or None: the usual
+    one. `register`: how pictures among those are registered to the first, one of REGISTERED. ValueError in a sentence
+    where that is not possible."""
+    on_paper = isinstance(tolerance, Millimeters)
     if register:
         a = _bitmaps(drawings[:1])[0]
-        near = a.usual_tolerance if tolerance is None else tolerance
-        judges = [REGISTERED[register](drawing, a, near) for drawing in drawings[1:]]
+        size, near = a.pixels.shape[::-1], None if on_paper else tolerance
+        laid = [_laid(drawing, a, register, near) for drawing in drawings[1:]]
+        judges, scales = [each.bitmap for each in laid], [each.px_per_mm for each in laid]
     else:
         a, *judges = _bitmaps(drawings)
-    return Compared(tuple(drawing.name for drawing in drawings), a, judges, compare(a, judges, tolerance))
+        size = a.pixels.shape[::-1]
+        scales = [drawing.px_per_mm(size) for drawing in drawings[1:]]
+    names = tuple(drawing.name for drawing in drawings)
+    if not on_paper:
+        return Compared(names, a, judges, compare(a, judges, tolerance))
+    near = paper_scale.in_pixels(tolerance, size[0], zip(names, (drawings[0].px_per_mm(size), *scales)))
+    return Compared(names, a, judges, compare(a, judges, near) | {"tolerance_mm": tolerance.length})
+
+
+def tolerance_in(drawing, size, register, tolerance):
+    """A tolerance in pixels of a frame of (width, height), of what `of_drawings` takes, as a Drawing in that frame says;
+    one that is registered says nothing of it."""
+    if not isinstance(tolerance, Millimeters):
+        return tolerance
+    return paper_scale.in_pixels(tolerance, size[0], [(drawing.name, None if register else drawing.px_per_mm(size))])
 
 
 def frame_for(drawing, frame, register=None):
@@ -118,14 +145,9 @@ def frame_for(drawing, frame, register=None):
 def judge_of(drawing, size, register=None, tolerance=None):
     """A function of reference(), a Bitmap of (width, height) pixels, that gives the Bitmap of a Drawing over it:
     registered to it by one of REGISTERED, or, without it, as it is."""
-
-    def judge(reference):
-        if not register:
-            return drawing.bitmap(size)
-        over = reference()
-        return REGISTERED[register](drawing, over, over.usual_tolerance if tolerance is None else tolerance)
-
-    return judge
+    return lambda reference: (
+        _laid(drawing, reference(), register, tolerance).bitmap if register else drawing.bitmap(size)
+    )
 
 
 def _bitmaps(drawings):
@@ -138,11 +160,37 @@ def _bitmaps(drawings):
     return [drawing.bitmap(size) for drawing in drawings]
 
 
-def _by_lines(drawing, reference, tolerance):
-    """The Bitmap of a Drawing, registered by its lines to a Bitmap."""
+@dataclass(frozen=True)
+class Laid:
+    """A Drawing over a reference. `gray`: a native GrayImage of the reference's pixels, None of what is no picture."""
+
+    bitmap: object
+    gray: object = None
+    px_per_mm: float | None = None  # of the reference's pixels on the drawing's paper
+
+
+def _laid(drawing, reference, register, tolerance=None):
+    """The Laid of a Drawing that is registered to a Bitmap by one of REGISTERED; what is no picture fits as it is."""
     size = reference.pixels.shape[::-1]
     if drawing.gray is None:
-        return drawing.bitmap(size)
+        return Laid(drawing.bitmap(size), px_per_mm=drawing.px_per_mm(size))
+    to_scan, cleaned = REGISTERED[register](
+        drawing, reference, reference.usual_tolerance if tolerance is None else tolerance
+    )
+    gray, of_scan = drawing.gray.resampled(to_scan, *size), drawing.px_per_mm(drawing.size)
+    return Laid(cleaned(gray).lines(), gray, of_scan and of_scan / _growth(to_scan, size))
+
+
+def _growth(to_scan, size):
+    """Pixels of the scan per pixel of the reference, in the middle of it."""
+    (x, y), step = np.array(size) / 2, 0.5
+    corners = to_scan @ np.array([(x + dx, y + dy, 1) for dx, dy in ((-step, 0), (step, 0), (0, -step), (0, step))]).T
+    left, right, low, high = (corners[:2] / corners[2]).T
+    return float(np.sqrt(abs(np.linalg.det([right - left, high - low]))))
+
+
+def _by_lines(drawing, reference, tolerance):
+    """(the matrix from a Bitmap's pixels to those of a Drawing by its lines, what to do with its picture)."""
     found = drawing.gray.lines().registration(reference, tolerance)
     share = found["outer_share"] if found else 0.0
     if share < LEAST_OUTER:
@@ -150,21 +198,18 @@ def _by_lines(drawing, reference, tolerance):
             f"{drawing.name} could not be registered: {share:.0%} of the outer boundary have a line within the "
             f"tolerance, and {LEAST_OUTER:.0%} are needed; use a prompt sheet, or a larger --tolerance"
         )
-    return drawing.gray.resampled(found["to_scan"], *size).lines()
+    return found["to_scan"], lambda gray: gray
 
 
 def _by_marks(drawing, reference, _tolerance):
     """The same by the marks of a prompt sheet."""
-    size = reference.pixels.shape[::-1]
-    if drawing.gray is None:
-        return drawing.bitmap(size)
-    to_scan = drawing.gray.frame_by_marks(*size)
+    to_scan = drawing.gray.frame_by_marks(*reference.pixels.shape[::-1])
     if to_scan is None:
         raise ValueError(
             f"{drawing.name}: the marks of a prompt sheet are not found: scan all five discs around the frame, or "
             "register it by its lines"
         )
-    return _drawn_on_sheet(drawing.gray.resampled(to_scan, *size)).lines()
+    return to_scan, _drawn_on_sheet
 
 
 def _drawn_on_sheet(gray):

@@ -7,6 +7,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from . import paper_scale
+
 UNITS = {"": 1.0, "px": 1.0, "mm": 96 / 25.4, "cm": 96 / 2.54, "in": 96.0, "pt": 96 / 72, "pc": 16.0}  # in pixels
 NOT_DRAWN = "defs", "clipPath", "mask", "symbol", "marker", "pattern", "metadata"
 INHERITED = "fill", "stroke", "visibility"
@@ -18,9 +20,10 @@ NUMBER = r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?"
 
 @dataclass(frozen=True)
 class SvgDrawing:
-    """N paths. `size`: (width, height) of the page in CSS pixels."""
+    """N paths. `size`: (width, height) of the page in CSS pixels; `millimeters`: on paper, None where it does not say."""
 
     size: tuple
+    millimeters: tuple | None
     data: list  # of path data, as SVG has it
     transforms: np.ndarray  # (N, 6), to pixels of the page
     is_filled: list  # areas, else lines
@@ -48,7 +51,7 @@ def read(text):
             drawn.append((data, transform, True))
     data, transforms, is_filled = zip(*drawn) if drawn else ((), (), ())
     rows = np.array([m[:2].T.ravel() for m in transforms]).reshape(-1, 6)
-    return SvgDrawing(size, list(data), rows, list(is_filled))
+    return SvgDrawing(size, paper_scale.of_svg(root, size), list(data), rows, list(is_filled))
 
 
 def _page(root):

@@ -18,7 +18,7 @@ sys.path.insert(0, str(Path(__file__).parent))
 import draw
 import ending
 import scene_source
-from command import draw_options, fit
+from command import compare, draw_options, fit
 
 
 def main(words):
@@ -31,11 +31,12 @@ def main(words):
     draw.set_size(scene, of_draw)
     draw.set_camera(scene, of_draw)
     size = comparison.frame_for(drawing, camera.frame_size(scene.render), options.register)
-    judge_of = comparison.judge_of(drawing, size, options.register, options.tolerance)
+    tolerance = comparison.tolerance_in(drawing, size, options.register, compare.tolerance_of(comparison, options))
+    judge_of = comparison.judge_of(drawing, size, options.register, tolerance)
     seen_by = scene_source.seen_by(options.camera)
     opened = time.perf_counter()
     try:
-        found = style_fit.fit(bpy.context, size, names, base, judge_of, options.tolerance, options.beta, seen_by)
+        found = style_fit.fit(bpy.context, size, names, base, judge_of, tolerance, options.beta, seen_by)
     except CannotDraw as problem:
         raise ValueError(str(problem)) from problem
     style_files.write(options.output, found.style)

@@ -40,7 +40,31 @@ def compare(target, words):
 
 def of_files(comparison, options):
     drawings = [comparison.read(path) for path in (options.drawing, *options.judges)]
-    return comparison.of_drawings(drawings, options.tolerance, options.register)
+    return comparison.of_drawings(drawings, tolerance_of(comparison, options), options.register)
+
+
+def tolerance_of(comparison, options):
+    """The tolerance that is asked for, as the add-on has it."""
+    asked = options.tolerance
+    if isinstance(asked, quantities.OnPaper):
+        return comparison.Millimeters(asked.millimeters, options.paper_width)
+    return asked
+
+
+def add_tolerance(parser):
+    parser.add_argument(
+        "--tolerance",
+        type=quantities.tolerance,
+        metavar="PX|MMmm",
+        help="what counts as near (0.42 %% of the diagonal)",
+    )
+    width = quantities.within(1, quantities.MOST_PAPER, "millimeters")
+    parser.add_argument("--paper-width", type=width, metavar="MM", help="of the frame on paper, for a tolerance in mm")
+
+
+def check_tolerance(parser, options):
+    if options.paper_width and not isinstance(options.tolerance, quantities.OnPaper):
+        parser.error("--paper-width goes with a --tolerance in millimeters, as 1mm")
 
 
 def write_sheet(target, options):
@@ -58,8 +82,7 @@ def parse(words):
     parser = argparse.ArgumentParser("fovea compare", usage=argparse.SUPPRESS)
     parser.add_argument("drawing", type=model_files.file, metavar="A")
     parser.add_argument("judges", type=model_files.file, nargs="*", metavar="B", help="drawings that A is judged by")
-    far = quantities.within(0, 1e4, "pixels")
-    parser.add_argument("--tolerance", type=far, metavar="PX", help="what counts as near (0.42 %% of the diagonal)")
+    add_tolerance(parser)
     by = ("lines", "marks")
     parser.add_argument("--register", choices=by, help="PNGs among B are scans, registered to A by that")
     parser.add_argument(
@@ -80,6 +103,7 @@ def parse(words):
         parser.error(f"-o: a report is one of {', '.join(REPORTS)}, not {options.output.name}")
     if (options.camera or options.lines) and not options.scene:
         parser.error("--camera and --lines go with --scene")
+    check_tolerance(parser, options)
     return options
 
 
@@ -100,5 +124,10 @@ def sentence(found):
     chamfer = "infinite" if found["chamfer_px"] is None else f"{found['chamfer_px']:.2f} px"
     return (
         f"precision {found['precision']:.3f}, recall {found['recall']:.3f}, F1 {found['f1']:.3f}, "
-        f"chamfer distance {chamfer}, IoU {found['iou']:.3f}, within {found['tolerance_px']:.2f} px"
+        f"chamfer distance {chamfer}, IoU {found['iou']:.3f}, within {within(found)}"
     )
+
+
+def within(found):
+    on_paper = f", {found['tolerance_mm']:g} mm on paper" if "tolerance_mm" in found else ""
+    return f"{found['tolerance_px']:.2f} px{on_paper}"

@@ -7,7 +7,7 @@ import json
 import os
 from pathlib import Path
 
-from . import actions, model_files, output, quantities
+from . import actions, compare, model_files, output, quantities
 from . import package as extension
 from .target import PROJECT
 
@@ -36,8 +36,7 @@ def parse(words):
     parser.add_argument("--style", default=BASE, metavar="NAME|FILE.json", help="whose pens draw the lines")
     parser.add_argument("--lines", type=lambda text: text.split(","), metavar="A,B", help="line definitions")
     parser.add_argument("--camera", metavar="NAME", help="of the scene")
-    far = quantities.within(0, 1e4, "pixels")
-    parser.add_argument("--tolerance", type=far, metavar="PX", help="what counts as near (0.42 %% of the diagonal)")
+    compare.add_tolerance(parser)
     beta = quantities.within(*BETA, "times the weight of precision")
     parser.add_argument("--beta", type=beta, default=1.0, help="above 1: rather complete than clean")
     by = ("lines", "marks")
@@ -46,6 +45,7 @@ def parse(words):
     options = parser.parse_args(words)
     if options.output.suffix.lower() != ".json":
         parser.error(f"-o: a style is a .json, not {options.output.name}")
+    compare.check_tolerance(parser, options)
     return options
 
 

@@ -5,9 +5,12 @@ for the user, if it is invalid or out of range."""
 import argparse
 import math
 import re
+from typing import NamedTuple
 
 FRAME_SIDES = 4, 65536  # pixels, Blender's limits
 LAST_FRAME = 1048574  # Blender's limit
+MOST_TOLERANCE = 1e4  # pixels, or millimeters
+MOST_PAPER = 1e5  # millimeters
 FAR = 1e9  # largest absolute value of a coordinate
 
 
@@ -21,6 +24,23 @@ def within(least, most, what):
         return number
 
     return parse
+
+
+class OnPaper(NamedTuple):
+    """A length on paper."""
+
+    millimeters: float
+
+
+def tolerance(text):
+    """A length in pixels as a number, from 4 or 4px, or OnPaper, from 1mm."""
+    found = re.fullmatch(r"(.*?)\s*(px|mm)?", text)
+    number = _float(found[1])
+    if not 0 <= number <= MOST_TOLERANCE:
+        raise argparse.ArgumentTypeError(
+            f"'{text}' is not a number of pixels from 0 to {MOST_TOLERANCE:g}, as 4, nor of millimeters, as 1mm"
+        )
+    return OnPaper(number) if found[2] == "mm" else number
 
 
 def finite(what):

@@ -2,13 +2,15 @@
 """`fovea compare` on files: PNG, SVG and NPZ drawings of known lines, scans, reports, and what explains a drawing."""
 
 import json
+import struct
+import zlib
 
 import numpy as np
 import pytest
 from command import compare
 from native_core import core
 
-from addon import comparison, comparison_report, explained_lines, svg_drawing
+from addon import comparison, comparison_report, explained_lines, paper_scale, svg_drawing
 
 SIZE = 320, 240
 TOLERANCE = 4.0
@@ -221,6 +223,61 @@ def test_the_best_drawing_has_what_most_judges_agree_on():
     best = explained_lines.best_curve(judges, TOLERANCE)
     assert [point["precision"] for point in best] == pytest.approx([1.0, 1.0, 2 / 3], abs=0.001)
     assert [point["recall"] for point in best] == pytest.approx([0.0, 0.5, 1.0])
+
+
+def with_dpi(path, dpi):
+    """The PNG with a chunk that says its resolution, as scanners write it."""
+    content, data = path.read_bytes(), struct.pack(">IIB", *[round(dpi / 0.0254)] * 2, 1)
+    chunk = struct.pack(">I", 9) + b"pHYs" + data + struct.pack(">I", zlib.crc32(b"pHYs" + data))
+    path.write_bytes(content[:33] + chunk + content[33:])  # behind the header
+    return path
+
+
+def millimeters(*paths, length=1.0, paper_width=None, **how):
+    return compared(*paths, tolerance=paper_scale.Millimeters(length, paper_width), **how).found["tolerance_px"]
+
+
+def test_a_tolerance_in_millimeters_is_that_of_the_paper_a_png_or_svg_tells_of(tmp_path):
+    plain, scan = png(tmp_path / "a.png", LINES), with_dpi(png(tmp_path / "b.png", LINES), 254)
+    assert millimeters(plain, scan) == pytest.approx(10.0) == millimeters(scan, plain)
+    drawn = '<path d="M40 180H280" stroke="black" fill="none"/>'
+    on_page = svg(tmp_path / "c.svg", drawn)
+    on_page.write_text(on_page.read_text().replace('width="320" height="240"', 'width="160mm" height="120mm"'))
+    assert millimeters(plain, on_page, length=0.5) == pytest.approx(1.0)
+    assert millimeters(on_page, on_page) == pytest.approx(6.4)  # 160 mm in the usual 1024 pixels
+    assert millimeters(plain, plain, paper_width=64) == pytest.approx(5.0)
+    assert millimeters(scan, scan, paper_width=64) == pytest.approx(5.0)
+    in_mm = compared(plain, scan, tolerance=paper_scale.Millimeters(0.4)).found
+    in_px = compared(plain, scan, tolerance=4.0).found
+    assert in_mm["f1"] == in_px["f1"] and in_mm["tolerance_px"] == pytest.approx(4.0) and in_mm["tolerance_mm"] == 0.4
+    assert compare.sentence(in_mm).endswith("within 4.00 px, 0.4 mm on paper")
+
+
+def test_millimeters_on_paper_of_unknown_size_are_refused_in_a_sentence(tmp_path):
+    plain, of_screen = png(tmp_path / "a.png", LINES), with_dpi(png(tmp_path / "b.png", LINES), 72)
+    for drawings in ((plain, plain), (plain, of_screen), (plain, svg(tmp_path / "c.svg", ""))):
+        with pytest.raises(ValueError, match="name its width with --paper-width, save a PNG with its resolution"):
+            millimeters(*drawings)
+    scan, other = (with_dpi(png(tmp_path / f"{dpi}.png", LINES), dpi) for dpi in (127, 254))
+    with pytest.raises(ValueError, match="the paper is 64 mm wide by 127 and 32 mm wide by 254: name its width"):
+        millimeters(plain, scan, other)
+    for words in (["--tolerance", "1cm"], ["--tolerance", "-1mm"], ["--paper-width", "100"]):
+        with pytest.raises(SystemExit):
+            compare.parse([str(plain), str(plain), *words])
+    asked = compare.parse([str(plain), str(plain), "--tolerance", "1mm", "--paper-width", "190"])
+    assert compare.tolerance_of(comparison, asked) == paper_scale.Millimeters(1.0, 190.0)
+    assert compare.parse([str(plain), str(plain), "--tolerance", "3px"]).tolerance == 3.0
+
+
+def test_a_millimeter_on_a_scan_is_as_many_pixels_as_its_registration_makes_of_it(tmp_path):
+    scan = with_dpi(png(tmp_path / "scan.png", asymmetric((640, 480)), (640, 480)), 254)
+    reference = png(tmp_path / "a.png", asymmetric(SIZE))
+    found = compared(reference, scan, register="lines", tolerance=paper_scale.Millimeters(0.5)).found
+    assert found["tolerance_px"] == pytest.approx(2.5, rel=0.02) and found["f1"] > 0.98
+    drawing = comparison.read(scan)
+    assert comparison.tolerance_in(drawing, (640, 480), None, paper_scale.Millimeters(1.0)) == pytest.approx(10.0)
+    with pytest.raises(ValueError, match="--paper-width"):
+        comparison.tolerance_in(drawing, SIZE, "lines", paper_scale.Millimeters(1.0))
 
 
 def test_words_that_do_not_go_together_are_refused(tmp_path, capsys):
