@@ -1871,23 +1871,33 @@ class Strengths:
 
 def fitted(
     definitions: Sequence[Strengths],
-    judge: Bitmap,
+    judges: Sequence[Bitmap],
     thresholds: Annotated[ArrayLike, numpy.float32],
     tolerance: float,
     beta: float=1.0,
 ) -> dict:
     """{thresholds: (D,) float32, infinite for what is not drawn, precision, recall, f1, score} with which the Strengths
-    of D definitions draw what is most like the Bitmap `judge`. `thresholds`: to start from; `tolerance` [px]; see
-    native/fovea/study/fit.h."""
+    of D definitions draw what is most like the Bitmaps `judges`, all together. `thresholds`: to start from; `tolerance`
+    [px]; see native/fovea/study/fit.h."""
 
 def judged(
     definitions: Sequence[Strengths],
-    judge: Bitmap,
+    judges: Sequence[Bitmap],
     thresholds: Annotated[ArrayLike, numpy.float32],
     tolerance: float,
     beta: float=1.0,
 ) -> dict:
     """The same of the given thresholds."""
+
+def cross_validated(
+    definitions: Sequence[Strengths],
+    judges: Sequence[Bitmap],
+    thresholds: Annotated[ArrayLike, numpy.float32],
+    tolerance: float,
+    beta: float=1.0,
+) -> dict:
+    """The same without thresholds, of parts that are held out of the fit one after the other: each of the judges, or of
+    a single one blocks of the picture."""
 
 class Salience:
     """How far places of a picture stand out of the rest."""

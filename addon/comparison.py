@@ -128,35 +128,46 @@ def of_drawings(drawings, tolerance=None, register=None):
     return Compared(names, a, judges, compare(a, judges, near) | {"tolerance_mm": tolerance.length})
 
 
-def tolerance_in(drawing, size, register, tolerance):
-    """A tolerance in pixels of a frame of (width, height), of what `of_drawings` takes, as a Drawing in that frame says;
-    one that is registered says nothing of it."""
+def tolerance_in(drawings, size, register, tolerance):
+    """A tolerance in pixels of a frame of (width, height), of what `of_drawings` takes, as Drawings in that frame say;
+    those that are registered say nothing of it."""
     if not isinstance(tolerance, Millimeters):
         return tolerance
-    return paper_scale.in_pixels(tolerance, size[0], [(drawing.name, None if register else drawing.px_per_mm(size))])
+    known = [(drawing.name, None if register else drawing.px_per_mm(size)) for drawing in drawings]
+    return paper_scale.in_pixels(tolerance, size[0], known)
 
 
-def frame_for(drawing, frame, register=None):
-    """The (width, height) of a frame that a Drawing is compared in: its own, or that of the scene, `frame`, where it
-    has none or is registered."""
-    return frame if register or not drawing.size else drawing.size
+def frame_for(drawings, frame, register=None):
+    """The (width, height) of a frame that Drawings are compared in: their own, or that of the scene, `frame`, where they
+    have none or are registered. ValueError if their sizes differ."""
+    return frame if register else _size_of(drawings) or frame
 
 
-def judge_of(drawing, size, register=None, tolerance=None):
-    """A function of reference(), a Bitmap of (width, height) pixels, that gives the Bitmap of a Drawing over it:
-    registered to it by one of REGISTERED, or, without it, as it is."""
-    return lambda reference: (
-        _laid(drawing, reference(), register, tolerance).bitmap if register else drawing.bitmap(size)
-    )
+def judges_of(drawings, size, register=None, tolerance=None):
+    """A function of reference(), a Bitmap of (width, height) pixels, that gives the Bitmaps of Drawings over it:
+    registered to it by one of REGISTERED, or, without it, as they are."""
+
+    def judges(reference):
+        if not register:
+            return [drawing.bitmap(size) for drawing in drawings]
+        over = reference()
+        return [_laid(drawing, over, register, tolerance).bitmap for drawing in drawings]
+
+    return judges
 
 
-def _bitmaps(drawings):
-    """The native Bitmaps of Drawings, all of one size. ValueError if their sizes differ."""
+def _size_of(drawings):
+    """The (width, height) that all Drawings have; None if none has one. ValueError if their sizes differ."""
     sizes = {drawing.size: drawing.name for drawing in drawings if drawing.size}
     if len(sizes) > 1:
         told = " and ".join(f"{name} has {width} x {height} pixels" for (width, height), name in sizes.items())
         raise ValueError(f"{told}: draw them as large as each other, or register a scan with --register")
-    size = next(iter(sizes)) if sizes else _usual_size(drawings[0].shape)
+    return next(iter(sizes), None)
+
+
+def _bitmaps(drawings):
+    """The native Bitmaps of Drawings, all of one size. ValueError if their sizes differ."""
+    size = _size_of(drawings) or _usual_size(drawings[0].shape)
     return [drawing.bitmap(size) for drawing in drawings]
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Styles fitted to a drawing: which line definitions, and with which thresholds, draw what an artist has drawn. Without
+"""Styles fitted to drawings: which line definitions, and with which thresholds, draw what artists have drawn. Without
 Blender.
 
 Each definition is drawn at a few thresholds, so that what cuts lines short or leaves them out counts as it does in
@@ -26,12 +26,16 @@ ON = 1.0  # stands for the threshold of a definition without one
 @dataclass(frozen=True)
 class Fitted:
     """A Style, and what it is made of. `thresholds`: {definition: number, True where it has none, None: not drawn};
-    `found`, `before`: precision, recall, f1 of its lines, and of those that the style had before."""
+    `found`, `before`: precision, recall, f1 of its lines, and of those that the style had before; `held_out`: of what
+    was held out of the fit, a drawing after the other, or blocks of the only one; `of_each`: of its lines by each
+    drawing alone."""
 
     style: object
     thresholds: dict
     found: dict
     before: dict
+    held_out: dict
+    of_each: list
     tolerance: float
     drawings: int  # how often lines were drawn
     seconds: float  # that this took
@@ -80,15 +84,15 @@ def _alone(base, thresholds):
     return alone.replace(line_sets=sets, elision=style.Elision())
 
 
-def fit(draw, size, names, base, judge_of, tolerance=None, beta=1.0):
+def fit(draw, size, names, base, judges_of, tolerance=None, beta=1.0):
     """The Fitted of the definitions `names` and the Style `base`. draw(style): (px, offsets) of what it draws in a
-    frame of (width, height) pixels. judge_of(reference): the Bitmap of the artist's drawing; reference() is that of
+    frame of (width, height) pixels. judges_of(reference): the Bitmaps of the artists' drawings; reference() is that of
     the base's outlines, for registration. `tolerance` [px], usual where None is given; `beta`: above 1 rather complete
-    than clean. ValueError if nothing that can be drawn is near to the drawing."""
+    than clean. ValueError if nothing that can be drawn is near to the drawings."""
     core, ladders = native.load(), [_Ladder(draw, base, name) for name in names]
-    judge = judge_of(lambda: core.Bitmap.of_lines(*draw(_alone(base, dict.fromkeys(outlines_of(base), ON))), *size))
-    tolerance = judge.usual_tolerance if tolerance is None else tolerance
-    how = {"judge": judge, "tolerance": tolerance, "beta": beta}
+    judges = judges_of(lambda: core.Bitmap.of_lines(*draw(_alone(base, dict.fromkeys(outlines_of(base), ON))), *size))
+    tolerance = judges[0].usual_tolerance if tolerance is None else tolerance
+    how = {"judges": judges, "tolerance": tolerance, "beta": beta}
     usual = [ladder.usual for ladder in ladders]
     for ladder in ladders:
         ladder.climb(ladder.coarse())
@@ -104,10 +108,13 @@ def fit(draw, size, names, base, judge_of, tolerance=None, beta=1.0):
     chosen = {ladder.name: ladder.nearest(t) for ladder, t in zip(ladders, found["thresholds"]) if np.isfinite(t)}
     if not chosen:
         raise ValueError(NOTHING)
+    of_each = [core.judged(strengths, thresholds=found["thresholds"], **how | {"judges": [one]}) for one in judges]
+    held_out = core.cross_validated(strengths, thresholds=found["thresholds"], **how)
     return Fitted(
         _pruned(style_with(base, chosen)),
         {name: _told(name, chosen.get(name)) for name in names},
-        *(_measures(of) for of in (found, before)),
+        *(_measures(of) for of in (found, before, held_out)),
+        [_measures(of) for of in of_each],
         tolerance,
         sum(len(ladder.drawn) for ladder in ladders),
         sum(ladder.seconds for ladder in ladders),

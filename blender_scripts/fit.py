@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Runs inside Blender for `fovea fit`: OUT.json and its words. Fits a style to a drawing of the scene."""
+"""Runs inside Blender for `fovea fit`: OUT.json and its words. Fits a style to drawings of the scene."""
 
 import json
 import sys
@@ -23,20 +23,20 @@ from command import compare, draw_options, fit
 
 def main(words):
     options, start = fit.parse(words[1:]), time.perf_counter()
-    drawing, base = comparison.read(options.drawing), style.named(options.style)
+    drawings, base = [comparison.read(path) for path in options.drawings], style.named(options.style)
     names = catalogue.named(options.lines) if options.lines else fitted_style.names_of(base)
     scene_source.open_scene(options.scene)
     of_draw = draw_options.parse([options.scene])
     scene = bpy.context.scene
     draw.set_size(scene, of_draw)
     draw.set_camera(scene, of_draw)
-    size = comparison.frame_for(drawing, camera.frame_size(scene.render), options.register)
-    tolerance = comparison.tolerance_in(drawing, size, options.register, compare.tolerance_of(comparison, options))
-    judge_of = comparison.judge_of(drawing, size, options.register, tolerance)
+    size = comparison.frame_for(drawings, camera.frame_size(scene.render), options.register)
+    tolerance = comparison.tolerance_in(drawings, size, options.register, compare.tolerance_of(comparison, options))
+    judges_of = comparison.judges_of(drawings, size, options.register, tolerance)
     seen_by = scene_source.seen_by(options.camera)
     opened = time.perf_counter()
     try:
-        found = style_fit.fit(bpy.context, size, names, base, judge_of, tolerance, options.beta, seen_by)
+        found = style_fit.fit(bpy.context, size, names, base, judges_of, tolerance, options.beta, seen_by)
     except CannotDraw as problem:
         raise ValueError(str(problem)) from problem
     style_files.write(options.output, found.style)
@@ -44,6 +44,8 @@ def main(words):
     told = found.found | {
         "thresholds": found.thresholds,
         "before": found.before,
+        "cross_validated_f1": found.held_out["f1"],
+        "judged_by": [{"name": d.name} | of for d, of in zip(drawings, found.of_each)],
         "tolerance_px": found.tolerance,
         "style": str(options.output),
         "drawings": found.drawings,

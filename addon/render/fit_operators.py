@@ -28,16 +28,16 @@ class FOVEA_OT_fit_style(OfDrawing, bpy.types.Operator):
     def act(self, context):
         drawing, by, tolerance = self.asked()
         scene = context.scene
-        size = comparison.frame_for(drawing, camera.frame_size(scene.render), by)
-        judge_of, own = comparison.judge_of(drawing, size, by, tolerance), style_data.of(scene)
+        size = comparison.frame_for([drawing], camera.frame_size(scene.render), by)
+        judges_of, own = comparison.judges_of([drawing], size, by, tolerance), style_data.of(scene)
         base = style_read.read(own) if own else style_data.default()
-        found = style_fit.fit(context, size, fitted_style.names_of(base), base, judge_of, tolerance, self.completeness)
+        found = style_fit.fit(context, size, fitted_style.names_of(base), base, judges_of, tolerance, self.completeness)
         style_data.use(scene, found.style, f"Fitted from {drawing.name}")
         told = ", ".join(_told(name, value) for name, value in found.thresholds.items() if value is not None)
         self.report(
             {"INFO"},
             f"The style '{scene.fovea.style.name}' has F1 {found.found['f1']:.2f}, the one before "
-            f"{found.before['f1']:.2f}: {told}",
+            f"{found.before['f1']:.2f}, of parts held out of the fit {found.held_out['f1']:.2f}: {told}",
         )
 
 

@@ -1,35 +1,43 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Fits a style to a drawing of what a final render's frame has in view."""
+"""Fits a style to drawings of what a final render's frame has in view."""
 
 import numpy as np
 
 from .. import fitted_style, line_arrays, native, pipeline
 from ..scene import camera, scene
 from ..scene.problem import CannotDraw
-from . import as_rendered, definition_strengths, reading
+from . import as_rendered, definition_strengths, reading, session
 
 
-def fit(context, size, names, base, judge_of, tolerance=None, beta=1.0, seen_by=None):
+def fit(context, size, names, base, judges_of, tolerance=None, beta=1.0, seen_by=None):
     """The fitted_style.Fitted, arguments as there, of a final render of the context's frame and view layer with (width,
-    height) pixels. `seen_by`: an object, None: the scene's camera."""
+    height) pixels. `seen_by`: an object, None: the scene's camera. CannotDraw if the user cancels it."""
+    core = native.load()
 
     def take(engine, depsgraph):
-        draw = drawer(engine, depsgraph, fitted_style.style_with(base, dict.fromkeys(names, fitted_style.ON)))
-        return fitted_style.fit(draw, size, names, base, judge_of, tolerance, beta)
+        cancel, every = core.Cancel(), fitted_style.style_with(base, dict.fromkeys(names, fitted_style.ON))
+        with session.watched(engine, cancel), cancel:
+            try:
+                draw = drawer(engine, depsgraph, every, cancel)
+                return fitted_style.fit(draw, size, names, base, judges_of, tolerance, beta)
+            except core.Cancelled as stopped:
+                raise CannotDraw("Stopped before the style was fitted") from stopped
 
     return as_rendered.look(context, take, definition_strengths.prepared(size, seen_by))
 
 
-def drawer(engine, depsgraph, chosen):
-    """A function that gives (px, offsets) of the visible lines of a Style with the line sets of `chosen`."""
-    read = reading.Reader().read(depsgraph, chosen)
+def drawer(engine, depsgraph, chosen, cancel=None):
+    """A function that gives (px, offsets) of the visible lines of a Style with the line sets of `chosen`. `cancel`: a
+    native Cancel, or None."""
+    read = reading.Reader().read(depsgraph, chosen, cancel=cancel)
     if not read.snapshot.surfaces:
         raise CannotDraw("The scene is empty: there is nothing that has lines")
     core = native.load()
     seen = scene.seen(core, camera.of_render(engine, depsgraph))
 
     def draw(wanted):
-        frame = pipeline.frame(read.placed, seen, wanted, core.CpuBackend(), pipeline.options(), notes=read.notes)
+        beside = {"notes": read.notes, "cancel": cancel}
+        frame = pipeline.frame(read.placed, seen, wanted, core.CpuBackend(), pipeline.options(), **beside)
         with native.refusals():
             frame.find()
             found = line_arrays.seen(frame, np.eye(4))

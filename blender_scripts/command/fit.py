@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""`fovea fit SCENE DRAWING -o STYLE.json`: the style, by its line definitions and their thresholds, that draws a scene
-as an artist has drawn it."""
+"""`fovea fit SCENE DRAWING... -o STYLE.json`: the style, by its line definitions and their thresholds, that draws a
+scene as artists have drawn it."""
 
 import argparse
 import json
@@ -30,7 +30,8 @@ def fit(target, words):
 def parse(words):
     parser = argparse.ArgumentParser("fovea fit", usage=argparse.SUPPRESS)
     parser.add_argument("scene", type=model_files.scene, help="NAME[:N], MODEL or FILE.blend")
-    parser.add_argument("drawing", type=model_files.file, metavar="DRAWING", help="of an artist: a .png, .svg or .npz")
+    drawing = {"type": model_files.file, "metavar": "DRAWING", "nargs": "+"}
+    parser.add_argument("drawings", help="of artists: .png, .svg or .npz", **drawing)
     path = {"type": lambda text: Path(text).absolute(), "metavar": "STYLE.json"}
     parser.add_argument("-o", "--output", required=True, help="the style", **path)
     parser.add_argument("--style", default=BASE, metavar="NAME|FILE.json", help="whose pens draw the lines")
@@ -53,6 +54,10 @@ def told(found):
     """Lines of words: how near the drawing is, and what is drawn from which threshold on."""
     measures = "precision {precision:.3f}, recall {recall:.3f}, F1 {f1:.3f}"
     lines = [f"{measures.format(**found)}, within {found['tolerance_px']:.2f} px; F1 was {found['before']['f1']:.3f}"]
+    judges = found["judged_by"]
+    lines += [f"  {one['name']:24}{measures.format(**one)}" for one in judges if len(judges) > 1]
+    held_out = "drawings" if len(judges) > 1 else "parts of the drawing"
+    lines.append(f"F1 {found['cross_validated_f1']:.3f} of {held_out} that were held out of the fit")
     for name, value in found["thresholds"].items():
         lines.append(f"  {name:24}{'off' if value is None else 'on' if value is True else f'{value:.4g}'}")
     return "\n".join([*lines, found["style"]])

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Comparing drawings: scans and lines as sets of pixels.
+#include <algorithm>
 #include <glm/gtc/type_ptr.hpp>
 
 #include <fovea/study/fit.h>
@@ -178,25 +179,33 @@ py::dict told(const study::Fit& fit) {
                     py::arg("score") = fit.score);
 }
 
-using Fitting = study::Fit (*)(const std::vector<study::Strengths>&, const Bitmap&, In<float>,
-                               const study::FitOptions&);
+using Fitting = study::Fit (*)(const std::vector<study::Judging>&, In<float>, const study::FitOptions&);
 
 template <Fitting fit>
-py::dict fit_of(const std::vector<study::Strengths>& definitions, const Bitmap& judge, const Arg<float>& thresholds,
-                double tolerance, double beta) {
+py::dict fit_of(const std::vector<const study::Strengths*>& definitions, const std::vector<const Bitmap*>& judges,
+                const Arg<float>& thresholds, double tolerance, double beta) {
     const In<float> given = borrow<float>(thresholds, "thresholds");
+    check(!std::ranges::count(definitions, nullptr) && !std::ranges::count(judges, nullptr),
+          "a fit: Strengths and Bitmaps expected, not None");
     const study::FitOptions options{.tolerance = tolerance, .beta = beta};
-    return told(without_gil([&] { return fit(definitions, judge, given, options); }));
+    std::vector<study::Judging> drawings;
+    for (const Bitmap* judge : judges) drawings.push_back({definitions, judge});
+    return told(without_gil([&] { return fit(drawings, given, options); }));
 }
 
 void bind_fit(py::module_& m) {
-    m.def("fitted", &fit_of<study::fitted>, py::arg("definitions"), py::arg("judge"), py::arg("thresholds"),
-          py::arg("tolerance"), py::arg("beta") = 1.0,
-          "{thresholds: (D,) float32, infinite for what is not drawn, precision, recall, f1, score} with which the "
-          "Strengths of D definitions draw what is most like the Bitmap `judge`. `thresholds`: to start from; "
-          "`tolerance` [px]; see native/fovea/study/fit.h.");
-    m.def("judged", &fit_of<study::judged>, py::arg("definitions"), py::arg("judge"), py::arg("thresholds"),
+    m.def(
+        "fitted", &fit_of<study::fitted>, py::arg("definitions"), py::arg("judges"), py::arg("thresholds"),
+        py::arg("tolerance"), py::arg("beta") = 1.0,
+        "{thresholds: (D,) float32, infinite for what is not drawn, precision, recall, f1, score} with which the "
+        "Strengths of D definitions draw what is most like the Bitmaps `judges`, all together. `thresholds`: to start "
+        "from; `tolerance` [px]; see native/fovea/study/fit.h.");
+    m.def("judged", &fit_of<study::judged>, py::arg("definitions"), py::arg("judges"), py::arg("thresholds"),
           py::arg("tolerance"), py::arg("beta") = 1.0, "The same of the given thresholds.");
+    m.def("cross_validated", &fit_of<study::cross_validated>, py::arg("definitions"), py::arg("judges"),
+          py::arg("thresholds"), py::arg("tolerance"), py::arg("beta") = 1.0,
+          "The same without thresholds, of parts that are held out of the fit one after the other: each of the judges, "
+          "or of a single one blocks of the picture.");
 }
 
 }  // namespace

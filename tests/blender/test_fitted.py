@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Styles fitted to drawings of a scene, in Blender."""
 
+from contextlib import contextmanager
+
 import bpy
 import numpy as np
 import pytest
@@ -46,7 +48,7 @@ def drawing(base, thresholds):
 
 
 def fitted(base, judge, names=NAMES):
-    return style_fit.fit(bpy.context, SIZE, names, base, lambda _: judge, 1.0)
+    return style_fit.fit(bpy.context, SIZE, names, base, lambda _: [judge], 1.0)
 
 
 def test_the_thresholds_of_a_drawing_are_found_again(monkey):
@@ -74,6 +76,24 @@ def test_what_the_line_sets_of_a_style_filter_is_filtered_in_the_fit(monkey):
     assert found.thresholds == {"contour": True, "ridge": None} and found.found["f1"] == 1.0
     (kept,) = found.style.line_sets
     assert kept.collection == "Box" and set(kept.kinds) == {"contour"}
+
+
+def test_a_fit_that_is_canceled_leaves_the_style_as_it_was(monkey, tmp_path, monkeypatch):
+    monkey.render.resolution_x, monkey.render.resolution_y = SIZE
+    bpy.ops.fovea.style_new(style="plain")
+    picture = 255 * (1 - drawing(style.load("plain"), ARTIST).pixels[..., None].repeat(3, 2))
+    (tmp_path / "artist.png").write_bytes(native.load().png_bytes(picture.astype(np.uint8)))
+    before = monkey.fovea.style
+
+    @contextmanager
+    def canceled(_engine, cancel):
+        cancel.cancel()  # as the thread does that sees the escape key
+        yield
+
+    monkeypatch.setattr(style_fit.session, "watched", canceled)
+    with pytest.raises(RuntimeError, match="Stopped before the style was fitted"):
+        bpy.ops.fovea.fit_style(filepath=str(tmp_path / "artist.png"))
+    assert monkey.fovea.style == before
 
 
 def test_a_scene_without_surfaces_is_refused_in_a_sentence(monkey):

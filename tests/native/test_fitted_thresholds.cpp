@@ -230,5 +230,102 @@ TEST(FittedThresholds, NothingFitsAnEmptyDrawingAndNoLinesDrawNothing) {
     EXPECT_THROW(fitted(one, empty, Thresholds{0.1f}, {.beta = 0.0}), std::invalid_argument);
 }
 
+/// The judging of several drawings in one view.
+std::vector<Judging> all_of(const Definitions& definitions, const std::vector<const Bitmap*>& judges) {
+    std::vector<Judging> drawings;
+    for (const Bitmap* judge : judges) drawings.push_back({judging(definitions, *judge)[0].definitions, judge});
+    return drawings;
+}
+
+TEST(FittedThresholds, SeveralDrawingsAreFittedTogether) {
+    const Definitions definitions = artists_lines(7);
+    const Thresholds sparing{0.4f, 0.5f, 0.8f, no_threshold};
+    const Bitmap one = drawn(definitions, of_artist), other = drawn(definitions, sparing);
+    const FitOptions options{.tolerance = 1.0};
+    const auto both = all_of(definitions, {&one, &other}), once = all_of(definitions, {&one, &one});
+    const Fit found = fitted(both, Thresholds(4, 0.4f), options);
+    const Thresholds thresholds(found.thresholds.begin(), found.thresholds.end());
+    const Fit of_one = judged(definitions, one, thresholds, options),
+              of_other = judged(definitions, other, thresholds, options);
+    // Pixels count, whoever has drawn them.
+    const double ones = double(one.count()), others = double(other.count());
+    EXPECT_NEAR(found.recall, (ones * of_one.recall + others * of_other.recall) / (ones + others), 1e-12);
+    EXPECT_NEAR(found.precision, 0.5 * (of_one.precision + of_other.precision), 1e-12);
+    for (const Thresholds& own : {of_artist, sparing})
+        EXPECT_GE(found.score, judged(both, own, options).score - 3.0 * options.slack);
+    const Fit alone = fitted(definitions, one, Thresholds(4, 0.4f), options);
+    EXPECT_EQ(fitted(once, Thresholds(4, 0.4f), options).thresholds, alone.thresholds);
+    const std::vector<Judging> other_definitions{both[0], {{&definitions[0]}, &other}};
+    EXPECT_THROW(fitted(other_definitions, Thresholds(4, 0.4f), options), std::invalid_argument);
+    EXPECT_THROW(fitted(std::vector<Judging>{}, Thresholds(4, 0.4f), options), std::invalid_argument);
+}
+
+TEST(FittedThresholds, OfTwoDrawingsEachIsHeldOutOnce) {
+    const Definitions definitions = artists_lines(8);
+    const Bitmap one = drawn(definitions, of_artist), other = drawn(definitions, {0.4f, 0.5f, no_threshold, 0.9f});
+    const FitOptions options{.tolerance = 1.0, .starts = 4};
+    double near = 0.0, all = 0.0, recalled = 0.0;
+    for (const auto& [kept, held_out] : {std::pair{&one, &other}, std::pair{&other, &one}}) {
+        const Fit fit = fitted(definitions, *kept, Thresholds(4, 0.4f), options);
+        const Thresholds thresholds(fit.thresholds.begin(), fit.thresholds.end());
+        const Fit of = judged(definitions, *held_out, thresholds, options);
+        const double pixels = double(drawn(definitions, thresholds).count());  // rows are apart: none counts twice
+        near += of.precision * pixels, all += pixels, recalled += of.recall * double(held_out->count());
+    }
+    const Fit found = cross_validated(all_of(definitions, {&one, &other}), Thresholds(4, 0.4f), options);
+    EXPECT_NEAR(found.precision, near / all, 1e-9);
+    EXPECT_NEAR(found.recall, recalled / double(one.count() + other.count()), 1e-9);
+    EXPECT_LT(found.f(1.0), 0.95);
+}
+
+TEST(FittedThresholds, WhatOneHasDrawnByThresholdsIsAsNearInPartsThatAreHeldOut) {
+    for (unsigned seed = 0; seed < 3; ++seed) {
+        const Definitions definitions = artists_lines(seed);
+        const Bitmap artist = drawn(definitions, of_artist);
+        const Fit held_out =
+            cross_validated(judging(definitions, artist), Thresholds(4, 0.4f), FitOptions{.tolerance = 1.0});
+        EXPECT_GE(held_out.f(1.0), 0.98) << seed;
+    }
+}
+
+TEST(FittedThresholds, WhatIsDrawnAtRandomIsFurtherInPartsThatAreHeldOut) {
+    double fitted_f = 0.0, held_out_f = 0.0;
+    for (unsigned seed = 0; seed < 20; ++seed) {
+        const Definitions many = random_definitions(8, seed);
+        const Bitmap judge = random_judge(seed);
+        const FitOptions options{.tolerance = 1.0};
+        fitted_f += fitted(many, judge, Thresholds(8, 0.1f), options).f(1.0);
+        held_out_f += cross_validated(judging(many, judge), Thresholds(8, 0.1f), options).f(1.0);
+    }
+    EXPECT_LT(held_out_f, fitted_f - 20 * 0.03);
+}
+
+TEST(FittedThresholds, EachPixelIsHeldOutOnceAndKeptElsewhere) {
+    const Definitions definitions = artists_lines(1);
+    const Bitmap artist = drawn(definitions, of_artist);
+    const Evidence all = evidence_of(judging(definitions, artist), 1.0);
+    std::size_t held_out = 0, of_judge = 0;
+    for (std::size_t fold = 0; fold < all.folds; ++fold) {
+        const Evidence part = all.part(fold, true), rest = all.part(fold, false);
+        held_out += part.owner.size(), of_judge += part.judged;
+        EXPECT_EQ(part.owner.size() + rest.owner.size(), all.owner.size());
+        EXPECT_NEAR(double(part.judged) / double(all.judged), 1.0 / double(all.folds), 0.07) << fold;
+    }
+    EXPECT_EQ(held_out, all.owner.size());
+    EXPECT_EQ(of_judge, artist.count());
+}
+
+TEST(FittedThresholds, AFitEndsWhenItIsCancelled) {
+    const Definitions definitions = artists_lines(1);
+    const Bitmap artist = drawn(definitions, of_artist);
+    Cancel cancel;
+    const Cancelling scope(&cancel);
+    const FitOptions options{.tolerance = 1.0};
+    EXPECT_NO_THROW(fitted(definitions, artist, Thresholds(4, 0.4f), options));
+    cancel.requested = true;
+    EXPECT_THROW(fitted(definitions, artist, Thresholds(4, 0.4f), options), Cancelled);
+    EXPECT_THROW(cross_validated(judging(definitions, artist), Thresholds(4, 0.4f), options), Cancelled);
+}
+
 }  // namespace
 }  // namespace fovea

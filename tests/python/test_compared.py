@@ -275,9 +275,9 @@ def test_a_millimeter_on_a_scan_is_as_many_pixels_as_its_registration_makes_of_i
     found = compared(reference, scan, register="lines", tolerance=paper_scale.Millimeters(0.5)).found
     assert found["tolerance_px"] == pytest.approx(2.5, rel=0.02) and found["f1"] > 0.98
     drawing = comparison.read(scan)
-    assert comparison.tolerance_in(drawing, (640, 480), None, paper_scale.Millimeters(1.0)) == pytest.approx(10.0)
+    assert comparison.tolerance_in([drawing], (640, 480), None, paper_scale.Millimeters(1.0)) == pytest.approx(10.0)
     with pytest.raises(ValueError, match="--paper-width"):
-        comparison.tolerance_in(drawing, SIZE, "lines", paper_scale.Millimeters(1.0))
+        comparison.tolerance_in([drawing], SIZE, "lines", paper_scale.Millimeters(1.0))
 
 
 def test_words_that_do_not_go_together_are_refused(tmp_path, capsys):

@@ -45,7 +45,7 @@ def drawing(thresholds):
 
 
 def fitted(judge, names=NAMES, base=PLAIN, **how):
-    return fitted_style.fit(draw, SIZE, names, base, lambda _: judge, 2.0, **how)
+    return fitted_style.fit(draw, SIZE, names, base, lambda _: [judge], 2.0, **how)
 
 
 def test_an_artists_thresholds_are_found_again():
@@ -102,11 +102,11 @@ def test_what_is_nowhere_near_is_refused_in_a_sentence():
 def test_a_scan_is_registered_to_outlines():
     asked = []
 
-    def judge_of(reference):
+    def judges_of(reference):
         asked.append(reference())
-        return drawing(ARTIST)
+        return [drawing(ARTIST)]
 
-    fitted_style.fit(draw, SIZE, ("ridge", "crease"), PLAIN, judge_of, 2.0)
+    fitted_style.fit(draw, SIZE, ("ridge", "crease"), PLAIN, judges_of, 2.0)
     outlines = fitted_style.outlines_of(PLAIN)
     assert asked[0].measures(drawing(dict.fromkeys(outlines, 1.0)), 0.0)["f1"] == 1.0
     assert {"contour", "intersection", "border"} < set(outlines) < set(fitted_style.names_of(PLAIN)) - {"crease"}
@@ -136,10 +136,34 @@ def test_words_and_figures_of_the_command(tmp_path, capsys):
         compare.parse([str(tmp_path / "a.png"), str(tmp_path / "a.png"), "--scene", "no.blend"])
     assert "there is no file no.blend" in capsys.readouterr().err
     measures = {"precision": 1.0, "recall": 0.5, "f1": 2 / 3}
-    found = measures | {"before": measures, "tolerance_px": 2.0, "style": "a.json"}
-    text = fit.told(found | {"thresholds": {"contour": True, "crease": 47.25, "ridge": None}})
-    assert [line.split()[-1] for line in text.splitlines()[1:]] == ["on", "47.25", "off", "a.json"]
+    found = measures | {"before": measures, "tolerance_px": 2.0, "style": "a.json", "cross_validated_f1": 0.6}
+    found |= {"thresholds": {"contour": True, "crease": 47.25, "ridge": None}, "judged_by": [{"name": "a"} | measures]}
+    text = fit.told(found).splitlines()
+    assert text[1] == "F1 0.600 of parts of the drawing that were held out of the fit"
+    assert [line.split()[-1] for line in text[2:]] == ["on", "47.25", "off", "a.json"]
+    text = fit.told(found | {"judged_by": [{"name": name} | measures for name in "ab"]}).splitlines()
+    assert text[2].split() == "b precision 1.000, recall 0.500, F1 0.667".split()
+    assert text[3] == "F1 0.600 of drawings that were held out of the fit"
+    assert len(fit.parse([*words[:2], *words[1:]]).drawings) == 2
     json.dumps(found, allow_nan=False)
+
+
+def test_a_style_is_fitted_to_the_drawings_of_several_artists():
+    """One draws creases from 50 degrees on, the other from 100 on, and both are told how near the style is to each."""
+    sparing = ARTIST | {"crease": 100.0}
+    judges = [drawing(ARTIST), drawing(sparing)]
+    found = fitted_style.fit(draw, SIZE, NAMES, PLAIN, lambda _: judges, 2.0)
+    assert found.thresholds["contour"] is True and found.thresholds["suggestive_contour"] is None
+    for name in ("ridge", "valley"):
+        assert found.thresholds[name] == pytest.approx(ARTIST[name], rel=0.1), name
+    assert 45 < found.thresholds["crease"] < 110
+    drawn = core.Bitmap.of_lines(*draw(found.style), *SIZE)
+    for judge, of in zip(judges, found.of_each):
+        assert of["f1"] == pytest.approx(drawn.measures(judge, 2.0)["f1"], abs=0.002)
+    alone, crossed = fitted(judges[0]), found.held_out["f1"]
+    of_other = core.Bitmap.of_lines(*draw(alone.style), *SIZE).measures(judges[1], 2.0)["f1"]
+    assert of_other - 0.02 < crossed < 1.0, "each is drawn by the thresholds of the other"
+    assert alone.held_out["f1"] > 0.97, "an artist who keeps to thresholds is told in parts that were held out"
 
 
 def test_hidden_lines_and_line_thinning_are_left_out_of_the_fit_and_stay_in_the_style():
@@ -150,7 +174,7 @@ def test_hidden_lines_and_line_thinning_are_left_out_of_the_fit_and_stay_in_the_
         seen.append(wanted)
         return draw(wanted)
 
-    found = fitted_style.fit(drawn, SIZE, ("contour", "ridge"), base, lambda _: drawing({"ridge": 0.3}), 2.0)
+    found = fitted_style.fit(drawn, SIZE, ("contour", "ridge"), base, lambda _: [drawing({"ridge": 0.3})], 2.0)
     assert not any(wanted.elision.enabled or line_set.hidden for wanted in seen for line_set in wanted.line_sets)
     assert found.style.elision.enabled and found.style.line_sets[0].hidden == sets[0].hidden
     assert found.drawings == len(seen)

@@ -7,84 +7,21 @@
 
 #include <fovea/base/check.h>
 #include <fovea/base/parallel.h>
-#include <fovea/study/nearest_pixel.h>
 
 namespace fovea::study {
 namespace {
 
-constexpr double beside = 1.5;  // [px] between lines that are drawn twice
 constexpr double equal = 1e-12;
 constexpr std::size_t most_rounds = 100;  // a handful does, unless scores are equal but for rounding
-
-/// Number of a threshold of a definition: that of index level - 1 among its strengths, in ascending order. At pixels,
-/// the highest at which it is drawn; 0: at none.
-using Level = Index;
-
-/// All that the score depends on.
-struct Evidence {
-    std::size_t definitions = 0;
-    std::vector<Array<float>> strengths;  ///< per definition, ascending; level k has strength k - 1
-    Array<std::uint32_t> owner;           ///< per pixel of a definition: which one
-    Array<std::uint8_t> is_near;          ///< whether it is near to the judge
-    std::vector<Array<Level>> drawn;      ///< per definition, per pixel of any: its level here, or beside another's
-    std::vector<Array<Level>> reached;    ///< per definition, per pixel of the judge: its most level near to it
-    std::size_t judged = 0;               ///< pixels of the judge
-
-    Level off(std::size_t d) const { return Level(strengths[d].size()) + 1; }
-};
-
-Array<float> distinct(const Array<float>& strengths) {
-    Array<float> values;
-    for (const float value : strengths)
-        if (value >= 0.0f) values.push_back(value);
-    parallel_sort(values.begin(), values.end());
-    values.erase(std::unique(values.begin(), values.end()), values.end());
-    return values;
-}
-
-/// Level of the weakest lines that are drawn with a threshold.
-Level level_from(const Array<float>& ascending, float threshold) {
-    return Level(std::ranges::lower_bound(ascending, threshold) - ascending.begin()) + 1;
-}
-
-Array<Level> levels_of(const Array<float>& strengths, const Array<float>& ascending) {
-    return parallel_map<Level>(strengths.size(), [&](std::size_t i) {
-        return strengths[i] < 0.0f ? Level(0) : level_from(ascending, strengths[i]);
-    });
-}
-
-Evidence evidence_of(const std::vector<Strengths>& definitions, const Bitmap& judge, double tolerance) {
-    Evidence all;
-    all.definitions = definitions.size();
-    const Array<float> to_judge = distances_to(judge);
-    Array<Index> pixels;
-    for (std::size_t d = 0; d < definitions.size(); ++d) {
-        judge.check_size_of({definitions[d].width, definitions[d].height});
-        for (std::size_t i = 0; i < to_judge.size(); ++i) {
-            if (definitions[d].values[i] < 0.0f) continue;
-            pixels.push_back(Index(i));
-            all.owner.push_back(std::uint32_t(d));
-            all.is_near.push_back(to_judge[i] <= tolerance);
-        }
-    }
-    const Array<Index> of_judge = pixels_in(judge);
-    all.judged = of_judge.size();
-    for (std::size_t d = 0; d < definitions.size(); ++d) {
-        Array<float> here = most_near(definitions[d], pixels, beside);
-        for (std::size_t i = 0; i < pixels.size(); ++i)
-            if (all.owner[i] == d) here[i] = definitions[d].values[pixels[i]];
-        all.strengths.push_back(distinct(definitions[d].values));
-        all.drawn.push_back(levels_of(here, all.strengths[d]));
-        all.reached.push_back(levels_of(most_near(definitions[d], of_judge, tolerance), all.strengths[d]));
-    }
-    return all;
-}
+constexpr int starts_per_fold = 4;
 
 /// What a drawing gains by thresholds, and sums of it.
 struct Sums {
     double drawn = 0.0, near = 0.0, recalled = 0.0;
 
     void add(const Sums& other) { drawn += other.drawn, near += other.near, recalled += other.recalled; }
+    double precision() const { return drawn > equal ? near / drawn : 1.0; }
+    double recall(std::size_t judged) const { return judged ? recalled / double(judged) : 1.0; }
 };
 
 double f_measure(double precision, double recall, double beta) {
@@ -106,8 +43,10 @@ class Search {
 
     void run() {
         std::size_t unchanged = 0;
-        for (std::size_t turn = 0; unchanged < all.definitions && turn < most_rounds * all.definitions; ++turn)
+        for (std::size_t turn = 0; unchanged < all.definitions && turn < most_rounds * all.definitions; ++turn) {
+            Cancelling::poll();
             unchanged = improve(turn % all.definitions) ? 1 : unchanged + 1;
+        }
     }
 
     /// Of ranges of thresholds that are as good, to their middles, one after the other.
@@ -116,27 +55,30 @@ class Search {
             if (levels[d] < all.off(d)) center(d);
     }
 
-    Fit found() const {
-        Fit fit;
+    Sums sums() const {
         Sums sums;
         for (std::size_t i = 0; i < all.owner.size(); ++i)
             if (is_drawn(all.owner[i], i)) sums.add({share(beside_each[i]), all.is_near[i] * share(beside_each[i])});
         sums.recalled = double(std::ranges::count_if(reaching, [](auto count) { return count > 0; }));
+        return sums;
+    }
+
+    Fit found() const {
+        Fit fit;
+        const Sums of = sums();
         for (std::size_t d = 0; d < all.definitions; ++d)
             fit.thresholds.push_back(levels[d] == all.off(d) ? no_threshold : all.strengths[d][levels[d] - 1]);
-        fit.precision = precision(sums), fit.recall = recall(sums);
+        fit.precision = of.precision(), fit.recall = of.recall(all.judged);
         fit.score =
-            score(sums, std::size_t(std::ranges::count_if(fit.thresholds, [](float t) { return t < no_threshold; })));
+            score(of, std::size_t(std::ranges::count_if(fit.thresholds, [](float t) { return t < no_threshold; })));
         return fit;
     }
 
    private:
     static double share(std::uint32_t of) { return 1.0 / double(of); }
     bool is_drawn(std::size_t d, std::size_t i) const { return all.drawn[d][i] >= levels[d]; }
-    static double precision(const Sums& sums) { return sums.drawn > equal ? sums.near / sums.drawn : 1.0; }
-    double recall(const Sums& sums) const { return all.judged ? sums.recalled / double(all.judged) : 1.0; }
     double score(const Sums& sums, std::size_t used) const {
-        return f_measure(precision(sums), recall(sums), asked.beta) - asked.cost * double(used);
+        return f_measure(sums.precision(), sums.recall(all.judged), asked.beta) - asked.cost * double(used);
     }
 
     /// Adds a definition with its level to the counts, or takes it away (-1).
@@ -236,13 +178,7 @@ std::vector<Level> random_levels(const Evidence& all, int seed) {
     return levels;
 }
 
-}  // namespace
-
-double Fit::f(double beta) const { return f_measure(precision, recall, beta); }
-
-Fit fitted(const std::vector<Strengths>& definitions, const Bitmap& judge, In<float> first, const FitOptions& options) {
-    check(options.tolerance >= 0.0 && options.beta > 0.0, "a fit: the tolerance is below 0, or beta is not above it");
-    const Evidence all = evidence_of(definitions, judge, options.tolerance);
+Fit best_of(const Evidence& all, In<float> first, const FitOptions& options) {
     std::vector<Search> searches;
     searches.reserve(std::size_t(options.starts) + 2);
     searches.emplace_back(all, options, levels_from(all, first));
@@ -260,10 +196,45 @@ Fit fitted(const std::vector<Strengths>& definitions, const Bitmap& judge, In<fl
     return searches[best].found();
 }
 
-Fit judged(const std::vector<Strengths>& definitions, const Bitmap& judge, In<float> thresholds,
-           const FitOptions& options) {
-    const Evidence all = evidence_of(definitions, judge, options.tolerance);
+void check_options(const FitOptions& options) {
+    check(options.tolerance >= 0.0 && options.beta > 0.0, "a fit: the tolerance is below 0, or beta is not above it");
+}
+
+}  // namespace
+
+double Fit::f(double beta) const { return f_measure(precision, recall, beta); }
+
+Fit fitted(const std::vector<Judging>& drawings, In<float> first, const FitOptions& options) {
+    check_options(options);
+    return best_of(evidence_of(drawings, options.tolerance), first, options);
+}
+
+Fit judged(const std::vector<Judging>& drawings, In<float> thresholds, const FitOptions& options) {
+    const Evidence all = evidence_of(drawings, options.tolerance);
     return Search(all, options, levels_from(all, thresholds)).found();
+}
+
+Fit cross_validated(const std::vector<Judging>& drawings, In<float> first, const FitOptions& options) {
+    check_options(options);
+    FitOptions of_fold = options;
+    of_fold.starts = std::min(options.starts, starts_per_fold);
+    const Evidence all = evidence_of(drawings, options.tolerance);
+    Sums sums;
+    for (std::size_t fold = 0; fold < all.folds; ++fold) {
+        const Fit fit = best_of(all.part(fold, false), first, of_fold);
+        const Evidence held_out = all.part(fold, true);
+        sums.add(Search(held_out, options, levels_from(held_out, fit.thresholds)).sums());
+    }
+    Fit found;
+    found.precision = sums.precision(), found.recall = sums.recall(all.judged);
+    found.score = found.f(options.beta);
+    return found;
+}
+
+std::vector<Judging> judging(const std::vector<Strengths>& definitions, const Bitmap& judge) {
+    Judging one{{}, &judge};
+    for (const Strengths& strengths : definitions) one.definitions.push_back(&strengths);
+    return {one};
 }
 
 }  // namespace fovea::study

@@ -4,7 +4,7 @@
 
 #include <limits>
 
-#include <fovea/study/precision_recall.h>
+#include <fovea/study/evidence.h>
 
 namespace fovea::study {
 
@@ -28,18 +28,32 @@ struct Fit {
     double f(double beta) const;
 };
 
-/// The thresholds with the best score, but for `slack` for each. `definitions`: of each the highest threshold at which
-/// a pixel is drawn, all of one size. `judge`: what the artist has drawn. `first`: thresholds to start from, one per
-/// definition.
+/// The thresholds with the best score for all drawings together, but for `slack` for each. `first`: thresholds to start
+/// from, one per definition.
 ///
-/// Recall is the share of the judge's pixels near to any definition. Of precision a pixel of a definition counts as
+/// Recall is the share of the judges' pixels near to any definition. Of precision a pixel of a definition counts as
 /// 1 / n, if n of those that are drawn have a pixel here or beside it, so that nobody gains by drawing a line twice.
 /// Coordinate search: for one threshold, all others fixed, all values are tried in one pass over the pixels; until no
-/// single threshold is better elsewhere.
-Fit fitted(const std::vector<Strengths>& definitions, const Bitmap& judge, In<float> first, const FitOptions& options);
+/// single threshold is better elsewhere. Polls the Cancel of the calling thread's scope.
+Fit fitted(const std::vector<Judging>& drawings, In<float> first, const FitOptions& options);
 
 /// The same of given thresholds.
-Fit judged(const std::vector<Strengths>& definitions, const Bitmap& judge, In<float> thresholds,
-           const FitOptions& options);
+Fit judged(const std::vector<Judging>& drawings, In<float> thresholds, const FitOptions& options);
+
+/// How well thresholds fit what they were not fitted to: each part (`Evidence::folds`) is held out once and judged by
+/// those fitted to the others; precision and recall are of all held-out parts together, without thresholds.
+Fit cross_validated(const std::vector<Judging>& drawings, In<float> first, const FitOptions& options);
+
+/// A single drawing, in the view of the definitions' lines; both have to outlive it.
+std::vector<Judging> judging(const std::vector<Strengths>& definitions, const Bitmap& judge);
+
+inline Fit fitted(const std::vector<Strengths>& definitions, const Bitmap& judge, In<float> first,
+                  const FitOptions& options) {
+    return fitted(judging(definitions, judge), first, options);
+}
+inline Fit judged(const std::vector<Strengths>& definitions, const Bitmap& judge, In<float> thresholds,
+                  const FitOptions& options) {
+    return judged(judging(definitions, judge), thresholds, options);
+}
 
 }  // namespace fovea::study

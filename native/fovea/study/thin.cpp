@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 
+#include <fovea/base/cancel.h>
+
 namespace fovea::study {
 namespace {
 
@@ -63,6 +65,7 @@ Bitmap thinned(Bitmap bitmap) {
     const auto neighbors = neighbors_in(framed.stride);
     std::vector<std::ptrdiff_t> taken;
     for (int half = 0, unchanged = 0; unchanged < 2; half = 1 - half) {
+        Cancelling::poll();
         taken.clear();
         for (const std::ptrdiff_t i : framed.pixels) {
             unsigned around = 0;
