@@ -1813,6 +1813,18 @@ class Bitmap:
         """{to_scan: (3, 3) from pixels of a reference Bitmap to those of this one, outer_share: share of its outer
         boundary that is within the tolerance [px]}, by their lines; None if one is empty."""
 
+class StrokeLooks:
+    """How wide and dark strokes are; see native/fovea/study/stroke_look.h."""
+    @property
+    def pixel(self) -> NDArray[numpy.uint32]:
+        """(N,) uint32 numbers of pixels, row by row from below"""
+    @property
+    def width(self) -> NDArray[numpy.float32]:
+        """(N,) float32 [px]"""
+    @property
+    def darkness(self) -> NDArray[numpy.float32]:
+        """(N,) float32 share of the paper's light that is missing in the stroke, [0, 1]; NaN on dark paper"""
+
 class GrayImage:
     """A scan or picture of gray values."""
     def __init__(self, values: Annotated[ArrayLike, numpy.uint8]) -> None:
@@ -1832,6 +1844,8 @@ class GrayImage:
         """A PDF file's bytes: a sheet to draw on after this picture; see native/fovea/study/sheet.h."""
     def lines(self) -> Bitmap:
         """The Bitmap of what is drawn, one pixel wide; see native/fovea/study/scan.h."""
+    def stroke_looks(self, lines: Bitmap) -> StrokeLooks:
+        """The StrokeLooks of this picture along the Bitmap of its lines."""
 
 class PrecisionRecall:
     """Drawings of ever more lines, by the threshold of their strengths."""

@@ -9,16 +9,13 @@ from pathlib import Path
 
 import numpy as np
 
-from . import native, paper_scale, svg_drawing
+from . import native, paper_scale, registered_drawing, svg_drawing
 from .paper_scale import Millimeters
 
 LINES_SIZE = 1024, 1024  # of an NPZ that does not say it: what `fovea lines` takes
 USUAL_DIAGONAL = 1280  # pixels, of 1024 x 768: of drawings that have any size
 OTHER_TOLERANCES = 0.5, 2.0  # times the tolerance, that results are told for, too: rankings should not depend on it
 FARTHEST, DISTANCES = 4, 41  # of histograms: in tolerances, and how many distances
-LEAST_OUTER = 0.9  # share of the outer boundary that a registered drawing has a line near to
-DARKEST_PRINT = 0.75  # of the paper: what is brighter is the faint picture of a prompt sheet
-BOX = 0.005  # of the longer side, along the border: the box of a prompt sheet
 HEADLINE = "precision", "recall", "f1", "chamfer_px", "iou"
 
 
@@ -109,13 +106,14 @@ def title(path):
 
 def of_drawings(drawings, tolerance=None, register=None):
     """The Compared of Drawings: the first is judged by the others. `tolerance`: [px], Millimeters, or None: the usual
-    one. `register`: how pictures among those are registered to the first, one of REGISTERED. ValueError in a sentence
+    one. `register`: how pictures among those are registered to the first, one of
+    registered_drawing.REGISTERED. ValueError in a sentence
     where that is not possible."""
     on_paper = isinstance(tolerance, Millimeters)
     if register:
         a = _bitmaps(drawings[:1])[0]
         size, near = a.pixels.shape[::-1], None if on_paper else tolerance
-        laid = [_laid(drawing, a, register, near) for drawing in drawings[1:]]
+        laid = [registered_drawing.laid(drawing, a, register, near) for drawing in drawings[1:]]
         judges, scales = [each.bitmap for each in laid], [each.px_per_mm for each in laid]
     else:
         a, *judges = _bitmaps(drawings)
@@ -144,14 +142,14 @@ def frame_for(drawings, frame, register=None):
 
 
 def judges_of(drawings, size, register=None, tolerance=None):
-    """A function of reference(), a Bitmap of (width, height) pixels, that gives the Bitmaps of Drawings over it:
-    registered to it by one of REGISTERED, or, without it, as they are."""
+    """A function of reference(), a Bitmap of (width, height) pixels, that gives a registered_drawing.Laid of each Drawing
+    over it: registered to it by one of REGISTERED, or, without it, as it is."""
 
     def judges(reference):
         if not register:
-            return [drawing.bitmap(size) for drawing in drawings]
+            return [registered_drawing.Laid(drawing.bitmap(size), drawing.gray) for drawing in drawings]
         over = reference()
-        return [_laid(drawing, over, register, tolerance).bitmap for drawing in drawings]
+        return [registered_drawing.laid(drawing, over, register, tolerance) for drawing in drawings]
 
     return judges
 
@@ -169,70 +167,6 @@ def _bitmaps(drawings):
     """The native Bitmaps of Drawings, all of one size. ValueError if their sizes differ."""
     size = _size_of(drawings) or _usual_size(drawings[0].shape)
     return [drawing.bitmap(size) for drawing in drawings]
-
-
-@dataclass(frozen=True)
-class Laid:
-    """A Drawing over a reference. `gray`: a native GrayImage of the reference's pixels, None of what is no picture."""
-
-    bitmap: object
-    gray: object = None
-    px_per_mm: float | None = None  # of the reference's pixels on the drawing's paper
-
-
-def _laid(drawing, reference, register, tolerance=None):
-    """The Laid of a Drawing that is registered to a Bitmap by one of REGISTERED; what is no picture fits as it is."""
-    size = reference.pixels.shape[::-1]
-    if drawing.gray is None:
-        return Laid(drawing.bitmap(size), px_per_mm=drawing.px_per_mm(size))
-    to_scan, cleaned = REGISTERED[register](
-        drawing, reference, reference.usual_tolerance if tolerance is None else tolerance
-    )
-    gray, of_scan = drawing.gray.resampled(to_scan, *size), drawing.px_per_mm(drawing.size)
-    return Laid(cleaned(gray).lines(), gray, of_scan and of_scan / _growth(to_scan, size))
-
-
-def _growth(to_scan, size):
-    """Pixels of the scan per pixel of the reference, in the middle of it."""
-    (x, y), step = np.array(size) / 2, 0.5
-    corners = to_scan @ np.array([(x + dx, y + dy, 1) for dx, dy in ((-step, 0), (step, 0), (0, -step), (0, step))]).T
-    left, right, low, high = (corners[:2] / corners[2]).T
-    return float(np.sqrt(abs(np.linalg.det([right - left, high - low]))))
-
-
-def _by_lines(drawing, reference, tolerance):
-    """(the matrix from a Bitmap's pixels to those of a Drawing by its lines, what to do with its picture)."""
-    found = drawing.gray.lines().registration(reference, tolerance)
-    share = found["outer_share"] if found else 0.0
-    if share < LEAST_OUTER:
-        raise ValueError(
-            f"{drawing.name} could not be registered: {share:.0%} of the outer boundary have a line within the "
-            f"tolerance, and {LEAST_OUTER:.0%} are needed; use a prompt sheet, or a larger --tolerance"
-        )
-    return found["to_scan"], lambda gray: gray
-
-
-def _by_marks(drawing, reference, _tolerance):
-    """The same by the marks of a prompt sheet."""
-    to_scan = drawing.gray.frame_by_marks(*reference.pixels.shape[::-1])
-    if to_scan is None:
-        raise ValueError(
-            f"{drawing.name}: the marks of a prompt sheet are not found: scan all five discs around the frame, or "
-            "register it by its lines"
-        )
-    return to_scan, _drawn_on_sheet
-
-
-def _drawn_on_sheet(gray):
-    """A native GrayImage without what a prompt sheet has printed: the faint picture, and the box along the border."""
-    values = gray.values.copy()
-    paper, border = np.median(values), int(np.ceil(BOX * max(values.shape)))
-    values[values >= DARKEST_PRINT * paper] = paper
-    inside = values[border:-border, border:-border]
-    return type(gray)(np.pad(inside, border, constant_values=int(paper)))
-
-
-REGISTERED = {"lines": _by_lines, "marks": _by_marks}
 
 
 def _usual_size(shape):

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from . import catalogue, native, style
+from . import catalogue, fitted_pens, native, style
 
 THRESHOLDS = "threshold", "angle"  # parameters that say how strong a line has to be
 LEAST, MOST = 0.05, 20.0  # times a threshold's default
@@ -28,7 +28,7 @@ class Fitted:
     """A Style, and what it is made of. `thresholds`: {definition: number, True where it has none, None: not drawn};
     `found`, `before`: precision, recall, f1 of its lines, and of those that the style had before; `held_out`: of what
     was held out of the fit, a drawing after the other, or blocks of the only one; `of_each`: of its lines by each
-    drawing alone."""
+    drawing alone; `looks`: what fitted_pens.looked found for its line sets."""
 
     style: object
     thresholds: dict
@@ -36,6 +36,7 @@ class Fitted:
     before: dict
     held_out: dict
     of_each: list
+    looks: list
     tolerance: float
     drawings: int  # how often lines were drawn
     seconds: float  # that this took
@@ -84,13 +85,14 @@ def _alone(base, thresholds):
     return alone.replace(line_sets=sets, elision=style.Elision())
 
 
-def fit(draw, size, names, base, judges_of, tolerance=None, beta=1.0):
+def fit(draw, size, names, base, judges_of, tolerance=None, beta=1.0, pens=True):
     """The Fitted of the definitions `names` and the Style `base`. draw(style): (px, offsets) of what it draws in a
-    frame of (width, height) pixels. judges_of(reference): the Bitmaps of the artists' drawings; reference() is that of
+    frame of (width, height) pixels. judges_of(reference): the Laid of the artists' drawings; reference() is the Bitmap of
     the base's outlines, for registration. `tolerance` [px], usual where None is given; `beta`: above 1 rather complete
-    than clean. ValueError if nothing that can be drawn is near to the drawings."""
+    than clean; `pens`: whether they get the width and darkness of strokes. ValueError if nothing that can be drawn is near to the drawings."""
     core, ladders = native.load(), [_Ladder(draw, base, name) for name in names]
-    judges = judges_of(lambda: core.Bitmap.of_lines(*draw(_alone(base, dict.fromkeys(outlines_of(base), ON))), *size))
+    laid = judges_of(lambda: core.Bitmap.of_lines(*draw(_alone(base, dict.fromkeys(outlines_of(base), ON))), *size))
+    judges = [each.bitmap for each in laid]
     tolerance = judges[0].usual_tolerance if tolerance is None else tolerance
     how = {"judges": judges, "tolerance": tolerance, "beta": beta}
     usual = [ladder.usual for ladder in ladders]
@@ -110,11 +112,25 @@ def fit(draw, size, names, base, judges_of, tolerance=None, beta=1.0):
         raise ValueError(NOTHING)
     of_each = [core.judged(strengths, thresholds=found["thresholds"], **how | {"judges": [one]}) for one in judges]
     held_out = core.cross_validated(strengths, thresholds=found["thresholds"], **how)
+    made, looks = _pruned(style_with(base, chosen)), []
+    if pens:
+        lines = {
+            ladder.name: each.above(float(threshold))
+            for ladder, each, threshold in zip(ladders, strengths, found["thresholds"])
+        }
+        looks = fitted_pens.looked(
+            [line_set.name for line_set in made.line_sets],
+            [_union(lines[name] for name in line_set.kinds) for line_set in made.line_sets],
+            [(each.gray, each.bitmap) for each in laid if each.gray],
+            tolerance,
+        )
+        made = fitted_pens.with_looks(made, looks, size[1])
     return Fitted(
-        _pruned(style_with(base, chosen)),
+        made,
         {name: _told(name, chosen.get(name)) for name in names},
         *(_measures(of) for of in (found, before, held_out)),
         [_measures(of) for of in of_each],
+        [look for look in looks if look],
         tolerance,
         sum(len(ladder.drawn) for ladder in ladders),
         sum(ladder.seconds for ladder in ladders),
@@ -196,6 +212,15 @@ def _joined(parts):
     starts = np.cumsum([0, *(len(px) for px, _ in parts)])
     offsets = [offsets[1:] + start for (_, offsets), start in zip(parts, starts)]
     return np.concatenate([px for px, _ in parts]), np.concatenate([[0], *offsets]).astype(np.int64)
+
+
+def _union(bitmaps):
+    """The Bitmap of what is in any of some."""
+    first, *others = bitmaps
+    pixels = first.pixels.copy()
+    for other in others:
+        pixels |= other.pixels
+    return type(first)(pixels)
 
 
 def _pruned(made):

@@ -4,6 +4,7 @@
 import json
 import sys
 import time
+from dataclasses import asdict
 from pathlib import Path
 
 import bpy
@@ -36,7 +37,8 @@ def main(words):
     seen_by = scene_source.seen_by(options.camera)
     opened = time.perf_counter()
     try:
-        found = style_fit.fit(bpy.context, size, names, base, judges_of, tolerance, options.beta, seen_by)
+        how = tolerance, options.beta, not options.keep_pens, seen_by
+        found = style_fit.fit(bpy.context, size, names, base, judges_of, *how)
     except CannotDraw as problem:
         raise ValueError(str(problem)) from problem
     style_files.write(options.output, found.style)
@@ -46,6 +48,7 @@ def main(words):
         "before": found.before,
         "cross_validated_f1": found.held_out["f1"],
         "judged_by": [{"name": d.name} | of for d, of in zip(drawings, found.of_each)],
+        "pens": [asdict(look) for look in found.looks],
         "tolerance_px": found.tolerance,
         "style": str(options.output),
         "drawings": found.drawings,

@@ -12,10 +12,11 @@ from .compare_operators import OfDrawing
 
 class FOVEA_OT_fit_style(OfDrawing, bpy.types.Operator):
     """Give the scene a new style that draws it as a drawing of this frame has it: line definitions on or off, and their
-    thresholds. Pens and all else are those of its present style, which stays in the file if it was edited"""
+    thresholds, and the width and darkness of pens. All else is that of its present style, which stays in the file if it
+    was edited"""
 
     bl_idname, bl_label = "fovea.fit_style", "Fit Style to Drawing"
-    shown = (*OfDrawing.shown, "completeness")
+    shown = (*OfDrawing.shown, "completeness", "pens")
 
     completeness: bpy.props.FloatProperty(
         name="Completeness",
@@ -24,6 +25,11 @@ class FOVEA_OT_fit_style(OfDrawing, bpy.types.Operator):
         min=0.5,
         max=2.0,
     )
+    pens: bpy.props.BoolProperty(
+        name="Pens",
+        description="Pens get the width and darkness of the drawing's strokes, where it shows them",
+        default=True,
+    )
 
     def act(self, context):
         drawing, by, tolerance = self.asked()
@@ -31,13 +37,16 @@ class FOVEA_OT_fit_style(OfDrawing, bpy.types.Operator):
         size = comparison.frame_for([drawing], camera.frame_size(scene.render), by)
         judges_of, own = comparison.judges_of([drawing], size, by, tolerance), style_data.of(scene)
         base = style_read.read(own) if own else style_data.default()
-        found = style_fit.fit(context, size, fitted_style.names_of(base), base, judges_of, tolerance, self.completeness)
+        found = style_fit.fit(
+            context, size, fitted_style.names_of(base), base, judges_of, tolerance, self.completeness, self.pens
+        )
         style_data.use(scene, found.style, f"Fitted from {drawing.name}")
-        told = ", ".join(_told(name, value) for name, value in found.thresholds.items() if value is not None)
+        told = [_told(name, value) for name, value in found.thresholds.items() if value is not None]
+        told += [f"pen of '{look.name}' {look.width:.1f} px wide" for look in found.looks]
         self.report(
             {"INFO"},
             f"The style '{scene.fovea.style.name}' has F1 {found.found['f1']:.2f}, the one before "
-            f"{found.before['f1']:.2f}, of parts held out of the fit {found.held_out['f1']:.2f}: {told}",
+            f"{found.before['f1']:.2f}, of parts held out of the fit {found.held_out['f1']:.2f}: {', '.join(told)}",
         )
 
 

@@ -9,7 +9,7 @@ from ..scene.problem import CannotDraw
 from . import as_rendered, definition_strengths, reading, session
 
 
-def fit(context, size, names, base, judges_of, tolerance=None, beta=1.0, seen_by=None):
+def fit(context, size, names, base, judges_of, tolerance=None, beta=1.0, pens=True, seen_by=None):
     """The fitted_style.Fitted, arguments as there, of a final render of the context's frame and view layer with (width,
     height) pixels. `seen_by`: an object, None: the scene's camera. CannotDraw if the user cancels it."""
     core = native.load()
@@ -19,7 +19,7 @@ def fit(context, size, names, base, judges_of, tolerance=None, beta=1.0, seen_by
         with session.watched(engine, cancel), cancel:
             try:
                 draw = drawer(engine, depsgraph, every, cancel)
-                return fitted_style.fit(draw, size, names, base, judges_of, tolerance, beta)
+                return fitted_style.fit(draw, size, names, base, judges_of, tolerance, beta, pens)
             except core.Cancelled as stopped:
                 raise CannotDraw("Stopped before the style was fitted") from stopped
 

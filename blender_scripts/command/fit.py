@@ -42,6 +42,9 @@ def parse(words):
     parser.add_argument("--beta", type=beta, default=1.0, help="above 1: rather complete than clean")
     by = ("lines", "marks")
     parser.add_argument("--register", choices=by, help="a scan, registered to the lines of the scene by that")
+    parser.add_argument(
+        "--keep-pens", action="store_true", help="pens are those of --style, not as wide as strokes are"
+    )
     parser.add_argument("--json", action="store_true")
     options = parser.parse_args(words)
     if options.output.suffix.lower() != ".json":
@@ -60,4 +63,7 @@ def told(found):
     lines.append(f"F1 {found['cross_validated_f1']:.3f} of {held_out} that were held out of the fit")
     for name, value in found["thresholds"].items():
         lines.append(f"  {name:24}{'off' if value is None else 'on' if value is True else f'{value:.4g}'}")
+    for pen in found["pens"]:
+        dark = "" if pen["darkness"] is None else f", {pen['darkness']:.0%} dark"
+        lines.append(f"  pen of {pen['name']:17}{pen['width']:.2f} px wide{dark}")
     return "\n".join([*lines, found["style"]])

@@ -10,6 +10,7 @@
 #include <fovea/study/register.h>
 #include <fovea/study/scan.h>
 #include <fovea/study/sheet.h>
+#include <fovea/study/stroke_look.h>
 #include <fovea/study/svg_path.h>
 #include <fovea/study/thin.h>
 #include <fovea/vector/pdf.h>
@@ -121,6 +122,9 @@ py::bytes prompt_sheet(const GrayImage& picture, const std::string& title, const
 Bitmap lines_of(const GrayImage& picture) { return study::thinned(study::ink_of(picture)); }
 
 void bind_gray(py::module_& m) {
+    py::class_<study::StrokeLooks> looks(m, "StrokeLooks",
+                                         "How wide and dark strokes are; see native/fovea/study/stroke_look.h.");
+    bind_columns(looks, study::StrokeLooks::columns);
     py::class_<GrayImage>(m, "GrayImage", "A scan or picture of gray values.")
         .def(py::init(&make_gray), py::arg("values"), "values: (H, W) uint8, bottom row first.")
         .def_static("of_png", &gray_of_png, py::arg("file"), "Of a PNG file's bytes; transparent parts lie on white.")
@@ -145,8 +149,9 @@ void bind_gray(py::module_& m) {
             "not found.")
         .def("prompt_sheet", &prompt_sheet, py::arg("title"), py::arg("sheet") = "a4",
              "A PDF file's bytes: a sheet to draw on after this picture; see native/fovea/study/sheet.h.")
-        .def("lines", &lines_of, NoGil(),
-             "The Bitmap of what is drawn, one pixel wide; see native/fovea/study/scan.h.");
+        .def("lines", &lines_of, NoGil(), "The Bitmap of what is drawn, one pixel wide; see native/fovea/study/scan.h.")
+        .def("stroke_looks", &study::looks_of, NoGil(), py::arg("lines"),
+             "The StrokeLooks of this picture along the Bitmap of its lines.");
 }
 
 void bind_strengths(py::module_& m) {

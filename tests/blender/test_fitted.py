@@ -10,7 +10,9 @@ from the_addon import part
 
 comparison, fitted_style, native, style = (part(name) for name in ("comparison", "fitted_style", "native", "style"))
 problem, style_fit = part("scene.problem"), part("render.style_fit")
-style_read = part("style.style_read")
+registered_drawing, style_read, style_data = (
+    part(name) for name in ("registered_drawing", "style.style_read", "style.style_data")
+)
 as_rendered, definition_strengths = part("render.as_rendered"), part("render.definition_strengths")
 SIZE = 960, 720
 NAMES = "contour", "crease", "ridge", "valley"
@@ -48,7 +50,7 @@ def drawing(base, thresholds):
 
 
 def fitted(base, judge, names=NAMES):
-    return style_fit.fit(bpy.context, SIZE, names, base, lambda _: [judge], 1.0)
+    return style_fit.fit(bpy.context, SIZE, names, base, lambda _: [registered_drawing.Laid(judge)], 1.0)
 
 
 def test_the_thresholds_of_a_drawing_are_found_again(monkey):
@@ -76,6 +78,23 @@ def test_what_the_line_sets_of_a_style_filter_is_filtered_in_the_fit(monkey):
     assert found.thresholds == {"contour": True, "ridge": None} and found.found["f1"] == 1.0
     (kept,) = found.style.line_sets
     assert kept.collection == "Box" and set(kept.kinds) == {"contour"}
+
+
+def test_pens_get_the_width_and_darkness_of_a_rendered_drawing(monkey, tmp_path):
+    monkey.render.resolution_x, monkey.render.resolution_y = SIZE
+    base = style.load("plain").replace(elision=style.Elision())
+    forms, lines = (line_set.replace(pen=style.Pen(width=6.0, opacity=0.7)) for line_set in base.line_sets)
+    style_data.use(monkey, base.replace(line_sets=(forms, lines.replace(pen=style.Pen(width=3.0)))), "Artist")
+    monkey.render.filepath, monkey.view_settings.view_transform = str(tmp_path / "artist.png"), "Standard"
+    bpy.ops.render.render(write_still=True)
+    style_data.use(monkey, base, "Base")
+    assert bpy.ops.fovea.fit_style(filepath=monkey.render.filepath, pens=False) == {"FINISHED"}
+    assert [s.pen for s in style_read.read(monkey.fovea.style).line_sets] == [s.pen for s in base.line_sets]
+    style_data.use(monkey, base, "Base")
+    assert bpy.ops.fovea.fit_style(filepath=monkey.render.filepath) == {"FINISHED"}
+    forms, lines = (line_set.pen for line_set in style_read.read(monkey.fovea.style).line_sets)
+    assert forms.width == pytest.approx(6.0, rel=0.1) and lines.width == pytest.approx(3.0, rel=0.1)
+    assert forms.opacity == pytest.approx(0.7, rel=0.1) and lines.opacity == pytest.approx(1.0, rel=0.05)
 
 
 def test_a_fit_that_is_canceled_leaves_the_style_as_it_was(monkey, tmp_path, monkeypatch):

@@ -10,7 +10,7 @@ import pytest
 from command import compare
 from native_core import core
 
-from addon import comparison, comparison_report, explained_lines, paper_scale, svg_drawing
+from addon import comparison, comparison_report, explained_lines, paper_scale, registered_drawing, svg_drawing
 
 SIZE = 320, 240
 TOLERANCE = 4.0
@@ -163,7 +163,7 @@ def test_what_a_prompt_sheet_has_printed_is_not_drawn():
     picture = ink(LINES)[..., 0]
     picture[100:103] = 217  # the faint picture
     picture[[0, -1]] = picture[:, [0, -1]] = 150  # the box
-    found = comparison._drawn_on_sheet(core.GrayImage(picture)).lines().measures(bitmap(LINES), TOLERANCE)
+    found = registered_drawing._drawn_on_sheet(core.GrayImage(picture)).lines().measures(bitmap(LINES), TOLERANCE)
     assert found["precision"] == found["recall"] == 1.0
 
 

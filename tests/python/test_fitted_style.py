@@ -8,7 +8,7 @@ import pytest
 from command import compare, fit
 from native_core import core
 
-from addon import fitted_style, style
+from addon import fitted_pens, fitted_style, registered_drawing, style
 
 SIZE = 320, 240
 NAMES = "contour", "crease", "ridge", "valley", "suggestive_contour"
@@ -44,8 +44,12 @@ def drawing(thresholds):
     return core.Bitmap.of_lines(*draw(fitted_style.style_with(PLAIN, thresholds)), *SIZE)
 
 
+def laid(*bitmaps):
+    return [registered_drawing.Laid(bitmap) for bitmap in bitmaps]
+
+
 def fitted(judge, names=NAMES, base=PLAIN, **how):
-    return fitted_style.fit(draw, SIZE, names, base, lambda _: [judge], 2.0, **how)
+    return fitted_style.fit(draw, SIZE, names, base, lambda _: laid(judge), 2.0, **how)
 
 
 def test_an_artists_thresholds_are_found_again():
@@ -104,7 +108,7 @@ def test_a_scan_is_registered_to_outlines():
 
     def judges_of(reference):
         asked.append(reference())
-        return [drawing(ARTIST)]
+        return laid(drawing(ARTIST))
 
     fitted_style.fit(draw, SIZE, ("ridge", "crease"), PLAIN, judges_of, 2.0)
     outlines = fitted_style.outlines_of(PLAIN)
@@ -138,9 +142,13 @@ def test_words_and_figures_of_the_command(tmp_path, capsys):
     measures = {"precision": 1.0, "recall": 0.5, "f1": 2 / 3}
     found = measures | {"before": measures, "tolerance_px": 2.0, "style": "a.json", "cross_validated_f1": 0.6}
     found |= {"thresholds": {"contour": True, "crease": 47.25, "ridge": None}, "judged_by": [{"name": "a"} | measures]}
+    found |= {"pens": [{"name": "lines", "width": 2.5, "darkness": 0.8}, {"name": "a", "width": 1.5, "darkness": None}]}
     text = fit.told(found).splitlines()
     assert text[1] == "F1 0.600 of parts of the drawing that were held out of the fit"
-    assert [line.split()[-1] for line in text[2:]] == ["on", "47.25", "off", "a.json"]
+    assert [line.split()[-1] for line in text[2:5]] == ["on", "47.25", "off"]
+    assert [line.split() for line in text[5:]] == [
+        "pen of lines 2.50 px wide, 80% dark".split(), "pen of a 1.50 px wide".split(), ["a.json"]
+    ]  # fmt: skip
     text = fit.told(found | {"judged_by": [{"name": name} | measures for name in "ab"]}).splitlines()
     assert text[2].split() == "b precision 1.000, recall 0.500, F1 0.667".split()
     assert text[3] == "F1 0.600 of drawings that were held out of the fit"
@@ -152,7 +160,7 @@ def test_a_style_is_fitted_to_the_drawings_of_several_artists():
     """One draws creases from 50 degrees on, the other from 100 on, and both are told how near the style is to each."""
     sparing = ARTIST | {"crease": 100.0}
     judges = [drawing(ARTIST), drawing(sparing)]
-    found = fitted_style.fit(draw, SIZE, NAMES, PLAIN, lambda _: judges, 2.0)
+    found = fitted_style.fit(draw, SIZE, NAMES, PLAIN, lambda _: laid(*judges), 2.0)
     assert found.thresholds["contour"] is True and found.thresholds["suggestive_contour"] is None
     for name in ("ridge", "valley"):
         assert found.thresholds[name] == pytest.approx(ARTIST[name], rel=0.1), name
@@ -166,6 +174,82 @@ def test_a_style_is_fitted_to_the_drawings_of_several_artists():
     assert alone.held_out["f1"] > 0.97, "an artist who keeps to thresholds is told in parts that were held out"
 
 
+def picture(strokes):
+    """(native GrayImage, Bitmap of its lines) of [(px (N, 2, 2) of level lines, width [px], light of the ink)] on white
+    paper: a pixel's light is that of the parts that are drawn."""
+    light = np.ones(SIZE[::-1])
+    for px, width, ink in strokes:
+        for (x0, y), (x1, _) in px:
+            rows = np.arange(SIZE[1])
+            share = np.clip(np.minimum(rows + 1, y + width / 2) - np.maximum(rows, y - width / 2), 0, 1)[:, None]
+            light[:, int(x0) : int(x1)] *= 1 - share * (1 - ink)
+    values = np.where(light <= 0.0031308, 12.92 * light, 1.055 * light ** (1 / 2.4) - 0.055)
+    gray = core.GrayImage(np.rint(255 * values).astype(np.uint8))
+    return gray, gray.lines()
+
+
+def lines_at(rows, x0=20, x1=300):
+    return np.array([[(x0, y), (x1, y)] for y in rows], np.float32)
+
+
+def bitmap(px):
+    return core.Bitmap.of_lines(px.reshape(-1, 2), np.arange(0, 2 * len(px) + 1, 2), *SIZE)
+
+
+def test_pens_are_as_wide_and_dark_as_the_strokes_near_their_lines():
+    """Rows lie at all parts of a pixel, as lines of drawings do."""
+    forms, lines = lines_at(np.arange(10, 120, 10.3)), lines_at(np.arange(130, 235, 10.3))
+    drawn = picture([(forms, 1.5, 0.4), (lines, 3.2, 0.1)])
+    looks = fitted_pens.looked(["forms", "lines"], [bitmap(forms), bitmap(lines)], [drawn], 2.0)
+    assert [look.name for look in looks] == ["forms", "lines"]
+    assert looks[0].width == pytest.approx(1.5, rel=0.1) and looks[0].darkness == pytest.approx(0.6, rel=0.1)
+    assert looks[1].width == pytest.approx(3.2, rel=0.05) and looks[1].darkness == pytest.approx(0.9, rel=0.05)
+    made = fitted_pens.with_looks(PLAIN, looks, SIZE[1])
+    assert made.line_sets[1].pen.width == pytest.approx(3.2 * 1080 / SIZE[1], rel=0.05)
+    assert made.line_sets[1].pen.opacity == pytest.approx(0.9, rel=0.05) and made.line_sets[1].pen.color == (0, 0, 0)
+    assert made.line_sets[0].pen == PLAIN.line_sets[0].pen.replace(
+        width=made.line_sets[0].pen.width, opacity=made.line_sets[0].pen.opacity
+    )
+
+
+@pytest.mark.parametrize("unit, width", [("pixels", 4.0), ("millimetres", 4.0 * 210 / 240), ("reference", 18.0)])
+def test_pens_keep_the_unit_of_their_width(unit, width):
+    pen = style.Pen(width_unit=unit, color=(0.5, 0.5, 0.5))
+    base = PLAIN.replace(line_sets=(PLAIN.line_sets[0].replace(pen=pen),))
+    found = fitted_pens.with_looks(base, [fitted_pens.Looked("forms", 4.0, 0.25)], 240).line_sets[0].pen
+    assert found.width == pytest.approx(width, rel=1e-3) and found.width_unit == unit
+    assert found.opacity == pytest.approx(0.5) and found.color == (0.5, 0.5, 0.5)
+    darker = fitted_pens.with_looks(base, [fitted_pens.Looked("forms", 4.0, 0.75)], 240).line_sets[0].pen
+    assert darker.opacity == 1 and darker.color == pytest.approx((0.25, 0.25, 0.25))
+    on_dark = fitted_pens.with_looks(base, [fitted_pens.Looked("forms", 4.0, None)], 240).line_sets[0].pen
+    assert on_dark == pen.replace(width=found.width)
+
+
+def test_strokes_that_are_too_thin_or_too_few_leave_pens_as_they_are():
+    rows = lines_at(np.arange(10, 230, 10.3))
+    assert fitted_pens.looked(["a"], [bitmap(rows)], [picture([(rows, 0.8, 0.0)])], 2.0) == [None]
+    short = lines_at([40, 60], 20, 40)
+    assert fitted_pens.looked(["a"], [bitmap(short)], [picture([(short, 4.0, 0.0)])], 2.0) == [None]
+    assert fitted_pens.looked(["a"], [bitmap(rows)], [], 2.0) == [None]
+    assert fitted_pens.with_looks(PLAIN, [None, None], SIZE[1]) == PLAIN
+
+
+def test_a_fit_to_a_picture_gives_the_style_its_strokes():
+    px = draw(fitted_style.style_with(PLAIN, ARTIST))[0].reshape(-1, 2, 2)
+    # At all parts of a pixel, as lines of drawings are.
+    gray, lines = picture([(px + np.linspace(0, 1, len(px))[:, None, None] * (0, 1), 2.4, 0.0)])
+    asked = [registered_drawing.Laid(lines, gray)]
+    found = fitted_style.fit(draw, SIZE, NAMES, PLAIN, lambda _: asked, 2.0)
+    assert {look.name for look in found.looks} == {"forms", "lines"}
+    for look, line_set in zip(found.looks, found.style.line_sets):
+        assert look.width == pytest.approx(2.4, rel=0.1) and line_set.pen.width == pytest.approx(
+            4.5 * look.width, rel=1e-3
+        )
+    kept = fitted_style.fit(draw, SIZE, NAMES, PLAIN, lambda _: asked, 2.0, pens=False)
+    assert kept.looks == [] and kept.thresholds == found.thresholds
+    assert [s.pen for s in kept.style.line_sets] == [s.pen for s in PLAIN.line_sets]
+
+
 def test_hidden_lines_and_line_thinning_are_left_out_of_the_fit_and_stay_in_the_style():
     sets = tuple(line_set.replace(hidden=(style.Hidden(),)) for line_set in PLAIN.line_sets)
     base, seen = PLAIN.replace(line_sets=sets, elision=style.Elision(enabled=True)), []
@@ -174,7 +258,7 @@ def test_hidden_lines_and_line_thinning_are_left_out_of_the_fit_and_stay_in_the_
         seen.append(wanted)
         return draw(wanted)
 
-    found = fitted_style.fit(drawn, SIZE, ("contour", "ridge"), base, lambda _: [drawing({"ridge": 0.3})], 2.0)
+    found = fitted_style.fit(drawn, SIZE, ("contour", "ridge"), base, lambda _: laid(drawing({"ridge": 0.3})), 2.0)
     assert not any(wanted.elision.enabled or line_set.hidden for wanted in seen for line_set in wanted.line_sets)
     assert found.style.elision.enabled and found.style.line_sets[0].hidden == sets[0].hidden
     assert found.drawings == len(seen)

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include <fovea/base/parallel.h>
+#include <fovea/study/line_direction.h>
 #include <fovea/study/nearest_pixel.h>
 
 namespace fovea::study {
@@ -120,23 +121,8 @@ struct Fine {
         parallel_for(std::size_t(height), 8, [&](std::size_t y) {
             for (std::size_t x = 0; x < std::size_t(width); ++x)
                 if (const std::size_t i = y * std::size_t(width) + x; bitmap.set[i])
-                    normal[i] = normal_at(bitmap, int(x), int(y));
+                    normal[i] = normal_at(bitmap, int(x), int(y), normals_within);
         });
-    }
-
-    static vec2 normal_at(const Bitmap& bitmap, int x, int y) {
-        double n = 0.0, sx = 0.0, sy = 0.0, xx = 0.0, xy = 0.0, yy = 0.0;
-        for (int v = std::max(0, y - normals_within); v <= std::min(bitmap.height - 1, y + normals_within); ++v)
-            for (int u = std::max(0, x - normals_within); u <= std::min(bitmap.width - 1, x + normals_within); ++u)
-                if (bitmap.set[std::size_t(v) * std::size_t(bitmap.width) + std::size_t(u)]) {
-                    const double du = u - x, dv = v - y;
-                    n += 1.0, sx += du, sy += dv, xx += du * du, xy += du * dv, yy += dv * dv;
-                }
-        const double a = xx - sx * sx / n, b = xy - sx * sy / n, c = yy - sy * sy / n;
-        const double spread = std::hypot(a - c, 2.0 * b);
-        if (spread < 0.5 * (a + c) || spread == 0.0) return vec2(0.0f);  // neither way more than the other
-        const double angle = 0.5 * std::atan2(2.0 * b, a - c);
-        return {float(-std::sin(angle)), float(std::cos(angle))};
     }
 };
 

@@ -31,7 +31,9 @@ Array<std::int64_t> summed(const color::GrayImage& picture) {
     return sums;
 }
 
-int median_of(const color::GrayImage& picture) {
+}  // namespace
+
+int paper_of(const color::GrayImage& picture) {
     std::array<std::size_t, 256> counts{};
     for (const std::uint8_t value : picture.values) ++counts[value];
     std::size_t below = 0;
@@ -40,13 +42,11 @@ int median_of(const color::GrayImage& picture) {
     return value;
 }
 
-}  // namespace
-
 Bitmap ink_of(const color::GrayImage& given) {
     check(given.width > 0 && given.height > 0, "a drawing needs pixels");
     color::GrayImage picture = given;
-    int paper = median_of(picture);
-    if (paper < 128) {
+    int paper = paper_of(picture);
+    if (paper < dark_paper) {
         for (std::uint8_t& value : picture.values) value = std::uint8_t(255 - value);
         paper = 255 - paper;
     }

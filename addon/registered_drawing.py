@@ -1,0 +1,75 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Scans of drawings brought to where a picture has the same lines: by these, or by the marks of a prompt sheet. Without
+Blender."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+LEAST_OUTER = 0.9  # share of the outer boundary that a registered drawing has a line near to
+DARKEST_PRINT = 0.75  # of the paper: what is brighter is the faint picture of a prompt sheet
+BOX = 0.005  # of the longer side, along the border: the box of a prompt sheet
+
+
+@dataclass(frozen=True)
+class Laid:
+    """A Drawing over a reference. `gray`: a native GrayImage of the reference's pixels, None of what is no picture."""
+
+    bitmap: object
+    gray: object = None
+    px_per_mm: float | None = None  # of the reference's pixels on the drawing's paper
+
+
+def laid(drawing, reference, register, tolerance=None):
+    """The Laid of a Drawing that is registered to a Bitmap by one of REGISTERED; what is no picture fits as it is."""
+    size = reference.pixels.shape[::-1]
+    if drawing.gray is None:
+        return Laid(drawing.bitmap(size), px_per_mm=drawing.px_per_mm(size))
+    to_scan, cleaned = REGISTERED[register](
+        drawing, reference, reference.usual_tolerance if tolerance is None else tolerance
+    )
+    gray, of_scan = cleaned(drawing.gray.resampled(to_scan, *size)), drawing.px_per_mm(drawing.size)
+    return Laid(gray.lines(), gray, of_scan and of_scan / _growth(to_scan, size))
+
+
+def _growth(to_scan, size):
+    """Pixels of the scan per pixel of the reference, in the middle of it."""
+    (x, y), step = np.array(size) / 2, 0.5
+    corners = to_scan @ np.array([(x + dx, y + dy, 1) for dx, dy in ((-step, 0), (step, 0), (0, -step), (0, step))]).T
+    left, right, low, high = (corners[:2] / corners[2]).T
+    return float(np.sqrt(abs(np.linalg.det([right - left, high - low]))))
+
+
+def _by_lines(drawing, reference, tolerance):
+    """(the matrix from a Bitmap's pixels to those of a Drawing by its lines, what to do with its picture)."""
+    found = drawing.gray.lines().registration(reference, tolerance)
+    share = found["outer_share"] if found else 0.0
+    if share < LEAST_OUTER:
+        raise ValueError(
+            f"{drawing.name} could not be registered: {share:.0%} of the outer boundary have a line within the "
+            f"tolerance, and {LEAST_OUTER:.0%} are needed; use a prompt sheet, or a larger --tolerance"
+        )
+    return found["to_scan"], lambda gray: gray
+
+
+def _by_marks(drawing, reference, _tolerance):
+    """The same by the marks of a prompt sheet."""
+    to_scan = drawing.gray.frame_by_marks(*reference.pixels.shape[::-1])
+    if to_scan is None:
+        raise ValueError(
+            f"{drawing.name}: the marks of a prompt sheet are not found: scan all five discs around the frame, or "
+            "register it by its lines"
+        )
+    return to_scan, _drawn_on_sheet
+
+
+def _drawn_on_sheet(gray):
+    """A native GrayImage without what a prompt sheet has printed: the faint picture, and the box along the border."""
+    values = gray.values.copy()
+    paper, border = np.median(values), int(np.ceil(BOX * max(values.shape)))
+    values[values >= DARKEST_PRINT * paper] = paper
+    inside = values[border:-border, border:-border]
+    return type(gray)(np.pad(inside, border, constant_values=int(paper)))
+
+
+REGISTERED = {"lines": _by_lines, "marks": _by_marks}
