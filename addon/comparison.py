@@ -154,6 +154,22 @@ def judges_of(drawings, size, register=None, tolerance=None):
     return judges
 
 
+def registered_png(path, reference, register, tolerance=None):
+    """(bytes of a PNG file of a scan, registered by one of REGISTERED to a Bitmap, and of its size; its
+    registered_drawing.Laid). Colors stay, but on a prompt sheet, whose print is left out. ValueError in a sentence if the
+    file is no picture, or cannot be registered."""
+    drawing, core = read(path), native.load()
+    if drawing.gray is None:
+        raise ValueError(f"{path.name} is no scan: a PNG is registered; what has lines of its own fits as it is")
+    found = registered_drawing.laid(drawing, reference, register, tolerance)
+    if register == "marks":
+        return core.png_bytes(np.repeat(found.gray.values[..., None], 3, axis=2)), found
+    size = reference.pixels.shape[::-1]
+    channels = np.moveaxis(core.pixels_of_png(path.read_bytes()), 2, 0)
+    moved = [core.GrayImage(np.ascontiguousarray(c)).resampled(found.to_scan, *size).values for c in channels]
+    return core.png_bytes(np.stack(moved, axis=2)), found
+
+
 def _size_of(drawings):
     """The (width, height) that all Drawings have; None if none has one. ValueError if their sizes differ."""
     sizes = {drawing.size: drawing.name for drawing in drawings if drawing.size}

@@ -18,6 +18,7 @@ class Laid:
     bitmap: object
     gray: object = None
     px_per_mm: float | None = None  # of the reference's pixels on the drawing's paper
+    to_scan: object = None  # (3, 3) from the reference's pixels to those of the drawing, where it was registered
 
 
 def laid(drawing, reference, register, tolerance=None):
@@ -29,7 +30,7 @@ def laid(drawing, reference, register, tolerance=None):
         drawing, reference, reference.usual_tolerance if tolerance is None else tolerance
     )
     gray, of_scan = cleaned(drawing.gray.resampled(to_scan, *size)), drawing.px_per_mm(drawing.size)
-    return Laid(gray.lines(), gray, of_scan and of_scan / _growth(to_scan, size))
+    return Laid(gray.lines(), gray, of_scan and of_scan / _growth(to_scan, size), to_scan)
 
 
 def _growth(to_scan, size):

@@ -59,17 +59,22 @@ class FOVEA_OT_compare_drawing(OfDrawing, bpy.types.Operator):
 
     def act(self, context):
         drawing, by, tolerance = self.asked()
-        with progress(context) as tell:
-            lines = as_rendered.look(context, partial(session.final, make=_lines, tell=tell))
-        if lines is None:
-            raise CannotDraw("Stopped before the lines were drawn")
-        compared = comparison.of_drawings([lines[1], drawing], tolerance, by)
+        compared = comparison.of_drawings([lines_of_render(context), drawing], tolerance, by)
         overlay = comparison_report.overlay(compared.a, compared.judges[0], compared.found["tolerance_px"])
         image = image_of(f"Compared with {drawing.name}", linear(overlay))
         if not bpy.app.background:
             open_image(context, image)
         told = ", ".join(f"{name} {compared.found[key]:.2f}" for key, name in TOLD_OF.items())
         self.report({"INFO"}, f"The scene's lines have {told}; both are in the image '{image.name}'")
+
+
+def lines_of_render(context):
+    """The comparison.Drawing of the visible lines of a final render of the context's frame and view layer."""
+    with progress(context) as tell:
+        lines = as_rendered.look(context, partial(session.final, make=_lines, tell=tell))
+    if lines is None:
+        raise CannotDraw("Stopped before the lines were drawn")
+    return lines[1]
 
 
 def _lines(found, seen, chosen, backend, options, progress, cancel, near):

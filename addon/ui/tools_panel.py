@@ -37,6 +37,7 @@ def _in_menu(self, _context):
         self.layout.operator(name)
     self.layout.operator("fovea.export_vectors", text="Export Fovea Drawing...")
     self.layout.operator("fovea.compare_drawing", text="Compare with Drawing...")
+    self.layout.operator("fovea.register_drawing", text="Register Drawing...")
     self.layout.operator("fovea.fit_style", text="Fit Style to Drawing...")
     for name in ("standard_view", "freestyle_off", "line_art_off"):
         self.layout.operator(f"fovea.{name}")

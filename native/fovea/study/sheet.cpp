@@ -23,9 +23,10 @@ constexpr double mark_outside = 0.03, mark_radius = 0.012, fifth_mark = 0.125;
 
 // Of discs on scans.
 constexpr double least_size = 1.0 / 300, most_size = 1.0 / 25;  // of the diagonal
-constexpr double least_aspect = 0.7, fill_error = 0.09;
+constexpr double least_aspect = 0.7, fill_error = 0.09, fill_error_of_pixel = 0.8;
 constexpr std::size_t most_discs = 12;
-constexpr double fifth_within = 0.6;  // radii: how far from where the others say that it is
+constexpr double fifth_within = 0.6;   // radii: how far from where the others say that it is
+constexpr double radius_within = 1.4;  // factor: how much larger or smaller discs are than the others say
 
 /// Centers of the discs around a frame of width x height: upper left, upper right, lower right, lower left, the fifth.
 std::array<dvec2, 5> marks_around(double width, double height) {
@@ -69,12 +70,23 @@ std::vector<Disc> discs_of(const color::GrayImage& scan) {
         const double count = double(parts.size(part)), larger = std::max(size.x, size.y);
         if (larger < least_size * ink.diagonal() || larger > most_size * ink.diagonal()) continue;
         if (std::min(size.x, size.y) < least_aspect * larger) continue;
-        if (std::abs(count / (size.x * size.y) - 0.25 * std::numbers::pi) > fill_error) continue;
+        const double error = std::abs(count / (size.x * size.y) - 0.25 * std::numbers::pi);
+        if (error > fill_error + fill_error_of_pixel / larger) continue;
         discs.push_back({sum / count, 0.5 * larger});
     }
     std::ranges::stable_sort(discs, std::greater(), &Disc::radius);
     if (discs.size() > most_discs) discs.resize(most_discs);
     return discs;
+}
+
+/// Whether a disc is where and as large as a map from the frame says of a mark.
+bool is_mark(const Disc& disc, const dvec2& mark, double radius, const Homography& map) {
+    if (glm::distance(mapped(map, mark), disc.center) >= fifth_within * disc.radius) return false;
+    const auto reach = [&](const dvec2& to) {
+        return 0.5 * glm::distance(mapped(map, mark + radius * to), mapped(map, mark - radius * to));
+    };
+    const double expected = std::max(reach({1.0, 0.0}), reach({0.0, 1.0}));
+    return disc.radius < radius_within * expected && expected < radius_within * disc.radius;
 }
 
 }  // namespace
@@ -141,9 +153,12 @@ std::optional<Homography> found_by_marks(const color::GrayImage& scan, int width
                     if (!is_clockwise || area <= largest) continue;
                     const auto map = homography_of({marks.data(), 4}, at);
                     if (!map) continue;
-                    const dvec2 fifth = mapped(*map, marks[4]);
-                    for (const Disc& disc : discs)
-                        if (glm::distance(fifth, disc.center) < fifth_within * disc.radius) largest = area, best = map;
+                    const auto is_at = [&](std::size_t disc, std::size_t mark) {
+                        return is_mark(discs[disc], marks[mark], mark_radius * width, *map);
+                    };
+                    if (!is_at(a, 0) || !is_at(b, 1) || !is_at(c, 2) || !is_at(d, 3)) continue;
+                    for (std::size_t fifth = 0; fifth < count; ++fifth)
+                        if (is_at(fifth, 4)) largest = area, best = map;
                 }
     return best;
 }
