@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""`fovea study make SCENE` and `fovea study analyse FOLDER`: whether drawings show the shape of what is drawn, by
+"""`fovea study make SCENE` and `fovea study analyse FOLDER...`: whether drawings show the shape of what is drawn, by
 gauges that people set on them; in Blender only to make the pictures."""
 
 import argparse
@@ -12,7 +12,7 @@ import tempfile
 import tomllib
 from pathlib import Path
 
-from gauges import analysis, formulas, page, records, report
+from gauges import analysis, formulas, page, records, report, several
 
 from . import actions, draw_options, output, quantities
 from . import package as extension
@@ -39,7 +39,7 @@ def parse(words):
     made.add_argument("--seed", type=_seed, default=0, metavar="N", help="other places")
     made.add_argument("-o", "--output", type=_path, required=True, metavar="FOLDER")
     analysed = parts.add_parser("analyse", usage=argparse.SUPPRESS, allow_abbrev=False)
-    analysed.add_argument("folder", type=_path)
+    analysed.add_argument("folders", type=_path, nargs="+", metavar="FOLDER")
     analysed.add_argument("--json", action="store_true")
     analysed.add_argument("-o", "--output", type=_path, metavar="REPORT.html")
     options, rest = parser.parse_known_args(words)
@@ -82,7 +82,7 @@ def _name_of(style):
 
 def _check_analysed(options, rest):
     if rest:
-        raise ValueError(f"{' '.join(rest)}: analyse takes a folder, --json and -o REPORT.html")
+        raise ValueError(f"{' '.join(rest)}: analyse takes folders, --json and -o REPORT.html")
     if options.output and options.output.suffix.lower() != ".html":
         raise ValueError(f"-o: a report is a .html, not {options.output.name}")
     if options.output:
@@ -160,15 +160,23 @@ def _write(path, text):
 
 def analyse(target, options):
     core = actions.imported(target, "native").load()
-    made = records.read_study(options.folder)
-    sessions = records.read_sessions(made)
-    if not sessions:
-        raise ValueError(f"{options.folder} has no settings: put the .jsonl files there that participants have saved")
-    found = analysis.analyse(core, made, sessions)
-    told = analysis.told(found)
-    print(json.dumps(told) if options.json else report.text(told))
+    studies = [records.read_study(folder) for folder in options.folders]
+    several.check(studies)
+    found = [analysis.analyse(core, made, _sessions(made)) for made in studies]
+    if len(found) > 1:
+        of, shown, told = several, found, several.told(found)
+    else:
+        of, shown, told = report, found[0], analysis.told(found[0])
+    print(json.dumps(told) if options.json else of.text(told))
     if options.output:
-        _write(options.output, report.page(found, told))
+        _write(options.output, of.page(shown, told))
         if not options.json:
             print(options.output)
     return 0
+
+
+def _sessions(made):
+    found = records.read_sessions(made)
+    if not found:
+        raise ValueError(f"{made.folder} has no settings: put the .jsonl files there that participants have saved")
+    return found

@@ -13,6 +13,7 @@ from .formulas import angles, sets
 NEAR, LEAST_NEAR = 30.0, 0.7  # degrees between both settings of a gauge, and the share that is to be so near
 LEAST_SPREAD = 5.0  # degrees: standard deviation of all settings of a session
 BLIND = 200  # sessions of which floors are the mean
+MEASURES = "errors", "fitted_errors", "from_median", "fitted_from_median"  # of an OfStyle, in degrees
 SAME = 0.05  # p values above it: styles are not told apart
 
 
@@ -155,20 +156,17 @@ def told(analysis):
         "gauges": len(analysis.study.truth),
         "styles": {style: _told_of_style(found) for style, found in analysis.styles.items()},
         "floors": {
-            name: {key: _spread_of(values) for key, values in each.items()} for name, each in analysis.floors.items()
+            name: {key: spread_of(values) for key, values in each.items()} for name, each in analysis.floors.items()
         },
         "p_values": [
-            {"styles": [a, b], **_compared(counted[a], counted[b])}
+            {"styles": [a, b], **compared(counted[a], counted[b])}
             for i, a in enumerate(counted) for b in list(counted)[i + 1 :]
         ],
     }  # fmt: skip
 
 
 def _told_of_style(found):
-    measures = {
-        name: _spread_of(getattr(found, name))
-        for name in ("errors", "fitted_errors", "from_median", "fitted_from_median")
-    }
+    measures = {name: spread_of(getattr(found, name)) for name in MEASURES}
     sessions = [_told_of_session(each) for each in (*found.sessions, *found.refused)]
     return {"settings": len(found.gauge), "refused": len(found.refused), **measures, "sessions": sessions}
 
@@ -183,7 +181,7 @@ def _told_of_session(each):
     }  # fmt: skip
 
 
-def _spread_of(values):
+def spread_of(values):
     """Mean, standard deviation, median and third quartile; None where there are no values."""
     if not len(values):
         return None
@@ -196,7 +194,7 @@ def _spread_of(values):
     }
 
 
-def _compared(a, b):
+def compared(a, b):
     """p values of two styles' errors after the fit: by settings, as the thesis has them, and by the means of sessions,
     as settings of one person are not independent."""
     by_session = ([float(each.fitted_errors.mean()) for each in found.sessions] for found in (a, b))

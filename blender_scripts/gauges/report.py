@@ -38,34 +38,44 @@ def text(told):
         lines.append(f"{label:24}" + "".join(f"{cell:>13}" for cell in cells))
     counts = [f"{len(style['sessions']) - style['refused']}" for style in told["styles"].values()]
     lines.append(f"{'sessions that count':24}" + "".join(f"{count:>13}" for count in counts))
-    for name, style in told["styles"].items():
-        lines += [
-            f"{name}: session {each['session']} of {each['participant']} does not count: {each['refused']}"
-            for each in style["sessions"] if each["refused"]
-        ]  # fmt: skip
-    return "\n".join(lines)
+    return "\n".join([*lines, *refused(told)])
+
+
+def refused(told):
+    """A line for each session that does not count."""
+    return [
+        f"{name}: session {each['session']} of {each['participant']} does not count: {each['refused']}"
+        for name, style in told["styles"].items() for each in style["sessions"] if each["refused"]
+    ]  # fmt: skip
 
 
 def page(analysis, told):
     """The text of an HTML page about an Analysis; `told`: its figures."""
+    return document(f"Gauges on {told['model']}", parts(analysis, told))
+
+
+def document(title, body):
+    head = f'<meta charset="utf-8"><title>{escape(title)}</title><style>{STYLE}</style>'
+    return f'<!DOCTYPE html>\n<html lang="en"><head>{head}</head>\n<body>\n' + "\n".join(body) + "\n</body></html>\n"
+
+
+def parts(analysis, told):
+    """What a page has about an Analysis."""
     study, counted = analysis.study, {s: found for s, found in analysis.styles.items() if len(found.gauge)}
-    title = f"Gauges on {study.model}"
-    parts = [
-        f"<h1>{escape(title)}</h1>",
+    return [
+        f"<h1>{escape('Gauges on ' + told['model'])}</h1>",
         "<p>Degrees between the normals that people see and the true ones, or the median of what people see; after the "
         "fit: of each session in the bas-relief that brings it nearest to the truth. The last columns are of gauges "
         "that are set without looking.</p>",
         _errors(told),
-        _compared(told, list(counted)),
+        compared(told["p_values"], list(counted)),
         *(_of_style(study, name, found) for name, found in counted.items()),
         "<h2>Sessions</h2>",
         _sessions(told),
     ]
-    head = f'<meta charset="utf-8"><title>{escape(title)}</title><style>{STYLE}</style>'
-    return f'<!DOCTYPE html>\n<html lang="en"><head>{head}</head>\n<body>\n' + "\n".join(parts) + "\n</body></html>\n"
 
 
-def _table(rows):
+def table(rows):
     """Of rows of texts; a text that begins with ! is marked."""
 
     def cell(words):
@@ -86,24 +96,24 @@ def _errors(told):
         of_all = [style[key] for style in told["styles"].values()] + [told["floors"][name].get(key) for name in FLOORS]
         rows.append((label, *("-" if each is None else f"{each['mean']:.1f} ± {each['sd']:.1f}" for each in of_all)))
     rows.append(("settings", *(style["settings"] for style in told["styles"].values()), "", ""))
-    return _table(rows)
+    return table(rows)
 
 
-def _compared(told, styles):
+def compared(p_values, styles):
     """p values of every two styles; those that are not told apart are marked."""
     if len(styles) < 2:
         return ""
-    values = {tuple(each["styles"]): each for each in told["p_values"]}
+    values = {tuple(each["styles"]): each for each in p_values}
 
     def cell(a, b, key):
         value = (values.get((a, b)) or values.get((b, a)) or {}).get(key)
         return "" if a == b else ("!" if value is not None and value > SAME else "") + _number(value, "{:.2g}")
 
-    parts = ["<h2>Are styles told apart?</h2><p>Rank sum tests of errors after the fit: the probability of differences "
+    found = ["<h2>Are styles told apart?</h2><p>Rank sum tests of errors after the fit: the probability of differences "
              f"like these by chance. Dark: above {SAME}.</p>"]  # fmt: skip
     for key, label in (("by_setting", "of settings"), ("by_session", "of means of sessions, which are independent")):
-        parts.append(_table([(label, *styles), *((a, *(cell(a, b, key) for b in styles)) for a in styles)]))
-    return "".join(parts)
+        found.append(table([(label, *styles), *((a, *(cell(a, b, key) for b in styles)) for a in styles)]))
+    return "".join(found)
 
 
 def _sessions(told):
@@ -117,7 +127,7 @@ def _sessions(told):
                 _number(each["spread"]), _number(each["depth"], "{:.2f}"), slope, _number(each["error"]),
                 _number(each["fitted_error"]), _number(each["seconds"]), each["refused"] or "yes",
             ))  # fmt: skip
-    return _table(rows)
+    return table(rows)
 
 
 def _of_style(study, style, found):

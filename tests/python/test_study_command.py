@@ -52,7 +52,7 @@ def test_a_study_is_not_made_over_another_one(tmp_path, capsys):
 
 
 @pytest.mark.parametrize(
-    "words, told", [(["-o", "a.txt"], "a report is a .html"), (["--deep"], "analyse takes a folder")]
+    "words, told", [(["-o", "a.txt"], "a report is a .html"), (["--deep"], "analyse takes folders")]
 )
 def test_analyse_refuses_what_it_does_not_know(words, told, tmp_path, capsys):
     with pytest.raises(SystemExit):
