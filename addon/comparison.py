@@ -136,14 +136,14 @@ def tolerance_in(drawings, size, register, tolerance):
 
 
 def frame_for(drawings, frame, register=None):
-    """The (width, height) of a frame that Drawings are compared in: their own, or that of the scene, `frame`, where they
-    have none or are registered. ValueError if their sizes differ."""
+    """The (width, height) of a frame that Drawings are compared in: their own, or that of the scene, `frame`, where
+    they have none or are registered. ValueError if their sizes differ."""
     return frame if register else _size_of(drawings) or frame
 
 
 def judges_of(drawings, size, register=None, tolerance=None):
-    """A function of reference(), a Bitmap of (width, height) pixels, that gives a registered_drawing.Laid of each Drawing
-    over it: registered to it by one of REGISTERED, or, without it, as it is."""
+    """A function of reference(), a Bitmap of (width, height) pixels, that gives a registered_drawing.Laid of each
+    Drawing over it: registered to it by one of REGISTERED, or, without it, as it is."""
 
     def judges(reference):
         if not register:
@@ -156,8 +156,8 @@ def judges_of(drawings, size, register=None, tolerance=None):
 
 def registered_png(path, reference, register, tolerance=None):
     """(bytes of a PNG file of a scan, registered by one of REGISTERED to a Bitmap, and of its size; its
-    registered_drawing.Laid). Colors stay, but on a prompt sheet, whose print is left out. ValueError in a sentence if the
-    file is no picture, or cannot be registered."""
+    registered_drawing.Laid). Colors stay, but on a prompt sheet, whose print is left out. ValueError in a sentence if
+    the file is no picture, or cannot be registered."""
     drawing, core = read(path), native.load()
     if drawing.gray is None:
         raise ValueError(f"{path.name} is no scan: a PNG is registered; what has lines of its own fits as it is")

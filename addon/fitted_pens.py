@@ -14,8 +14,8 @@ LIGHT = 0.2126, 0.7152, 0.0722  # of linear red, green, blue
 
 @dataclass(frozen=True)
 class Looked:
-    """What strokes near the lines of a line set look like: medians. `width`: of the frame's pixels; `darkness`: share of
-    the paper's light that they take away, None where it cannot be told."""
+    """What strokes near the lines of a line set look like: medians. `width`: of the frame's pixels; `darkness`: share
+    of the paper's light that they take away, None where it cannot be told."""
 
     name: str
     width: float
@@ -23,9 +23,9 @@ class Looked:
 
 
 def looked(names, drawn, strokes, tolerance):
-    """A Looked of each line set, or None where drawings do not show it. `drawn`: native Bitmaps of what the line sets of
-    the `names` draw; `strokes`: (native GrayImage, Bitmap of its lines) of each drawing that is a picture; `tolerance`
-    [px]."""
+    """A Looked of each line set, or None where drawings do not show it. `drawn`: native Bitmaps of what the line sets
+    of the `names` draw; `strokes`: (native GrayImage, Bitmap of its lines) of each drawing that is a picture;
+    `tolerance` [px]."""
     far = [bitmap.distances().ravel() for bitmap in drawn]
     of_sets = [([], []) for _ in names]
     for gray, lines in strokes:
@@ -46,7 +46,7 @@ def _medians(name, widths, darkness):
 
 
 def with_looks(made, looks, height):
-    """A Style whose line sets have pens as wide and dark as a Looked of each, or None, in a frame of `height` pixels."""
+    """A Style whose line sets have pens as wide and dark as a Looked of each, or None, in a frame of `height` px."""
     pens = [
         line_set.replace(pen=_pen(line_set.pen, look, made.paper, height)) if look else line_set
         for line_set, look in zip(made.line_sets, looks)

@@ -87,9 +87,10 @@ def _alone(base, thresholds):
 
 def fit(draw, size, names, base, judges_of, tolerance=None, beta=1.0, pens=True):
     """The Fitted of the definitions `names` and the Style `base`. draw(style): (px, offsets) of what it draws in a
-    frame of (width, height) pixels. judges_of(reference): the Laid of the artists' drawings; reference() is the Bitmap of
-    the base's outlines, for registration. `tolerance` [px], usual where None is given; `beta`: above 1 rather complete
-    than clean; `pens`: whether they get the width and darkness of strokes. ValueError if nothing that can be drawn is near to the drawings."""
+    frame of (width, height) pixels. judges_of(reference): the Laid of the artists' drawings; reference() is the Bitmap
+    of the base's outlines, for registration. `tolerance` [px], usual where None is given; `beta`: above 1 rather
+    complete than clean; `pens`: whether they get the width and darkness of strokes. ValueError if nothing that can be
+    drawn is near to the drawings."""
     core, ladders = native.load(), [_Ladder(draw, base, name) for name in names]
     laid = judges_of(lambda: core.Bitmap.of_lines(*draw(_alone(base, dict.fromkeys(outlines_of(base), ON))), *size))
     judges = [each.bitmap for each in laid]
@@ -114,16 +115,8 @@ def fit(draw, size, names, base, judges_of, tolerance=None, beta=1.0, pens=True)
     held_out = core.cross_validated(strengths, thresholds=found["thresholds"], **how)
     made, looks = _pruned(style_with(base, chosen)), []
     if pens:
-        lines = {
-            ladder.name: each.above(float(threshold))
-            for ladder, each, threshold in zip(ladders, strengths, found["thresholds"])
-        }
-        looks = fitted_pens.looked(
-            [line_set.name for line_set in made.line_sets],
-            [_union(lines[name] for name in line_set.kinds) for line_set in made.line_sets],
-            [(each.gray, each.bitmap) for each in laid if each.gray],
-            tolerance,
-        )
+        lines = {of.name: each.above(float(t)) for of, each, t in zip(ladders, strengths, found["thresholds"])}
+        looks = _looks(made, lines, laid, tolerance)
         made = fitted_pens.with_looks(made, looks, size[1])
     return Fitted(
         made,
@@ -212,6 +205,13 @@ def _joined(parts):
     starts = np.cumsum([0, *(len(px) for px, _ in parts)])
     offsets = [offsets[1:] + start for (_, offsets), start in zip(parts, starts)]
     return np.concatenate([px for px, _ in parts]), np.concatenate([[0], *offsets]).astype(np.int64)
+
+
+def _looks(made, lines, laid, tolerance):
+    """What fitted_pens.looked finds for the line sets of a Style. `lines`: {definition: Bitmap} of what is drawn."""
+    names = [line_set.name for line_set in made.line_sets]
+    drawn = [_union(lines[name] for name in line_set.kinds) for line_set in made.line_sets]
+    return fitted_pens.looked(names, drawn, [(each.gray, each.bitmap) for each in laid if each.gray], tolerance)
 
 
 def _union(bitmaps):

@@ -20,7 +20,7 @@ NUMBER = r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?"
 
 @dataclass(frozen=True)
 class SvgDrawing:
-    """N paths. `size`: (width, height) of the page in CSS pixels; `millimeters`: on paper, None where it does not say."""
+    """N paths. `size`: (width, height) of the page in CSS pixels; `millimeters`: on paper, None if it does not say."""
 
     size: tuple
     millimeters: tuple | None

@@ -45,8 +45,8 @@ def check(studies):
 
 
 def told(analyses):
-    """A dict of the figures of several Analyses: of each `scenes`, its own, with the `name` of its row; `rows`: for each
-    measure one per scene and one of all, where a style has settings in every scene; `p_values` of all scenes."""
+    """A dict of the figures of several Analyses: of each `scenes`, its own, with the `name` of its row; `rows`: for
+    each measure one per scene and one of all, where a style has settings in every scene; `p_values` of all scenes."""
     names = _names(analyses)
     styles = list(dict.fromkeys(style for analysis in analyses for style in analysis.styles))
     return {

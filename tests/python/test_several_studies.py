@@ -78,8 +78,9 @@ def test_who_saw_the_harder_scene_does_not_tell_styles_apart(tmp_path):
 
 
 def test_scenes_of_the_same_name_are_told_apart_and_no_study_counts_twice(tmp_path):
-    one, other = scene(tmp_path / "a", 8, {"pencil": 60}), scene(tmp_path / "b", 9, {"pencil": 60})
-    for found, folder in ((one, "a"), (other, "b")):
+    for number, folder in enumerate("ab", start=8):
+        scene(tmp_path / folder, number, {"pencil": 60})
+    for folder in "ab":
         told = json.loads((tmp_path / folder / records.STUDY).read_text()) | {"model": "office"}
         (tmp_path / folder / records.STUDY).write_text(json.dumps(told))
     studies = [records.read_study(tmp_path / folder) for folder in "ab"]

@@ -215,8 +215,9 @@ Bitmap outer_pixels(const Bitmap& drawing, double gap) {
     };
     for (std::size_t x = 0; x < width; ++x) reach(x, 0), reach(x, height - 1);
     for (std::size_t y = 0; y < height; ++y) reach(0, y), reach(width - 1, y);
-    for (std::size_t done = 0; done < reached.size(); ++done) {
-        const std::size_t x = reached[done] % width, y = reached[done] / width;
+    while (!reached.empty()) {
+        const std::size_t x = reached.back() % width, y = reached.back() / width;
+        reached.pop_back();
         reach(x + 1, y), reach(x - 1, y), reach(x, y + 1), reach(x, y - 1);
     }
     const Array<float> from_outside = distances_to(outside);
