@@ -1883,35 +1883,18 @@ class Strengths:
         """The PrecisionRecall of these lines, with the Bitmap of lines that are drawn in any case, judged by another
         one."""
 
-def fitted(
-    definitions: Sequence[Strengths],
-    judges: Sequence[Bitmap],
-    thresholds: Annotated[ArrayLike, numpy.float32],
-    tolerance: float,
-    beta: float=1.0,
-) -> dict:
-    """{thresholds: (D,) float32, infinite for what is not drawn, precision, recall, f1, score} with which the Strengths
-    of D definitions draw what is most like the Bitmaps `judges`, all together. `thresholds`: to start from; `tolerance`
-    [px]; see native/fovea/study/fit.h."""
-
-def judged(
-    definitions: Sequence[Strengths],
-    judges: Sequence[Bitmap],
-    thresholds: Annotated[ArrayLike, numpy.float32],
-    tolerance: float,
-    beta: float=1.0,
-) -> dict:
-    """The same of the given thresholds."""
-
-def cross_validated(
-    definitions: Sequence[Strengths],
-    judges: Sequence[Bitmap],
-    thresholds: Annotated[ArrayLike, numpy.float32],
-    tolerance: float,
-    beta: float=1.0,
-) -> dict:
-    """The same without thresholds, of parts that are held out of the fit one after the other: each of the judges, or of
-    a single one blocks of the picture."""
+class Evidence:
+    """What a fit of thresholds depends on; see native/fovea/study/evidence.h and fit.h."""
+    def __init__(self, definitions: Sequence[Strengths], judges: Sequence[Bitmap], tolerance: float) -> None:
+        """Of the Strengths of D definitions and of the Bitmaps of drawings in the same view; `tolerance` [px]."""
+    def fitted(self, thresholds: Annotated[ArrayLike, numpy.float32], beta: float=1.0) -> dict:
+        """{thresholds: (D,) float32, infinite for what is not drawn, precision, recall, f1, score} with which the
+        definitions draw what is most like all drawings together. `thresholds`: to start from."""
+    def judged(self, thresholds: Annotated[ArrayLike, numpy.float32], beta: float=1.0) -> dict:
+        """The same of the given thresholds."""
+    def cross_validated(self, thresholds: Annotated[ArrayLike, numpy.float32], beta: float=1.0) -> dict:
+        """The same without thresholds, of parts that are held out of the fit one after the other: each of the drawings,
+        or of a single one blocks of the picture."""
 
 class Salience:
     """How far places of a picture stand out of the rest."""

@@ -95,24 +95,26 @@ def fit(draw, size, names, base, judges_of, tolerance=None, beta=1.0, pens=True)
     laid = judges_of(lambda: core.Bitmap.of_lines(*draw(_alone(base, dict.fromkeys(outlines_of(base), ON))), *size))
     judges = [each.bitmap for each in laid]
     tolerance = judges[0].usual_tolerance if tolerance is None else tolerance
-    how = {"judges": judges, "tolerance": tolerance, "beta": beta}
     usual = [ladder.usual for ladder in ladders]
     for ladder in ladders:
         ladder.climb(ladder.coarse())
-    found = core.fitted(_strengths(ladders, size), thresholds=_floats(usual), **how)
+    found = core.Evidence(_strengths(ladders, size), judges, tolerance).fitted(_floats(usual), beta)
     for ladder, threshold in zip(ladders, found["thresholds"]):
         ladder.at(ladder.usual)
         if np.isfinite(threshold):
             ladder.climb(ladder.fine(threshold))
     strengths = _strengths(ladders, size)
-    found = core.fitted(strengths, thresholds=found["thresholds"], **how)
+    evidence = core.Evidence(strengths, judges, tolerance)
+    found = evidence.fitted(found["thresholds"], beta)
     own = [ladder.usual if ladder.in_base else np.inf for ladder in ladders]
-    before = core.judged(strengths, thresholds=_floats(own), **how)
+    before = evidence.judged(_floats(own), beta)
     chosen = {ladder.name: ladder.nearest(t) for ladder, t in zip(ladders, found["thresholds"]) if np.isfinite(t)}
     if not chosen:
         raise ValueError(NOTHING)
-    of_each = [core.judged(strengths, thresholds=found["thresholds"], **how | {"judges": [one]}) for one in judges]
-    held_out = core.cross_validated(strengths, thresholds=found["thresholds"], **how)
+    of_each = [found]
+    if len(judges) > 1:
+        of_each = [core.Evidence(strengths, [one], tolerance).judged(found["thresholds"], beta) for one in judges]
+    held_out = evidence.cross_validated(found["thresholds"], beta)
     made, looks = _pruned(style_with(base, chosen)), []
     if pens:
         lines = {of.name: each.above(float(t)) for of, each, t in zip(ladders, strengths, found["thresholds"])}

@@ -184,33 +184,36 @@ py::dict told(const study::Fit& fit) {
                     py::arg("score") = fit.score);
 }
 
-using Fitting = study::Fit (*)(const std::vector<study::Judging>&, In<float>, const study::FitOptions&);
+using Fitting = study::Fit (*)(const study::Evidence&, In<float>, const study::FitOptions&);
 
 template <Fitting fit>
-py::dict fit_of(const std::vector<const study::Strengths*>& definitions, const std::vector<const Bitmap*>& judges,
-                const Arg<float>& thresholds, double tolerance, double beta) {
+py::dict fit_of(const study::Evidence& evidence, const Arg<float>& thresholds, double beta) {
     const In<float> given = borrow<float>(thresholds, "thresholds");
+    return told(without_gil([&] { return fit(evidence, given, {.beta = beta}); }));
+}
+
+study::Evidence evidence_from(const std::vector<const study::Strengths*>& definitions,
+                              const std::vector<const Bitmap*>& judges, double tolerance) {
     check(!std::ranges::count(definitions, nullptr) && !std::ranges::count(judges, nullptr),
           "a fit: Strengths and Bitmaps expected, not None");
-    const study::FitOptions options{.tolerance = tolerance, .beta = beta};
     std::vector<study::Judging> drawings;
     for (const Bitmap* judge : judges) drawings.push_back({definitions, judge});
-    return told(without_gil([&] { return fit(drawings, given, options); }));
+    return without_gil([&] { return study::evidence_of(drawings, tolerance); });
 }
 
 void bind_fit(py::module_& m) {
-    m.def(
-        "fitted", &fit_of<study::fitted>, py::arg("definitions"), py::arg("judges"), py::arg("thresholds"),
-        py::arg("tolerance"), py::arg("beta") = 1.0,
-        "{thresholds: (D,) float32, infinite for what is not drawn, precision, recall, f1, score} with which the "
-        "Strengths of D definitions draw what is most like the Bitmaps `judges`, all together. `thresholds`: to start "
-        "from; `tolerance` [px]; see native/fovea/study/fit.h.");
-    m.def("judged", &fit_of<study::judged>, py::arg("definitions"), py::arg("judges"), py::arg("thresholds"),
-          py::arg("tolerance"), py::arg("beta") = 1.0, "The same of the given thresholds.");
-    m.def("cross_validated", &fit_of<study::cross_validated>, py::arg("definitions"), py::arg("judges"),
-          py::arg("thresholds"), py::arg("tolerance"), py::arg("beta") = 1.0,
-          "The same without thresholds, of parts that are held out of the fit one after the other: each of the judges, "
-          "or of a single one blocks of the picture.");
+    py::class_<study::Evidence>(m, "Evidence",
+                                "What a fit of thresholds depends on; see native/fovea/study/evidence.h and fit.h.")
+        .def(py::init(&evidence_from), py::arg("definitions"), py::arg("judges"), py::arg("tolerance"),
+             "Of the Strengths of D definitions and of the Bitmaps of drawings in the same view; `tolerance` [px].")
+        .def("fitted", &fit_of<study::fitted>, py::arg("thresholds"), py::arg("beta") = 1.0,
+             "{thresholds: (D,) float32, infinite for what is not drawn, precision, recall, f1, score} with which the "
+             "definitions draw what is most like all drawings together. `thresholds`: to start from.")
+        .def("judged", &fit_of<study::judged>, py::arg("thresholds"), py::arg("beta") = 1.0,
+             "The same of the given thresholds.")
+        .def("cross_validated", &fit_of<study::cross_validated>, py::arg("thresholds"), py::arg("beta") = 1.0,
+             "The same without thresholds, of parts that are held out of the fit one after the other: each of the "
+             "drawings, or of a single one blocks of the picture.");
 }
 
 }  // namespace

@@ -263,7 +263,7 @@ TEST(FittedThresholds, SeveralDrawingsAreFittedTogether) {
 TEST(FittedThresholds, OfTwoDrawingsEachIsHeldOutOnce) {
     const Definitions definitions = artists_lines(8);
     const Bitmap one = drawn(definitions, of_artist), other = drawn(definitions, {0.4f, 0.5f, no_threshold, 0.9f});
-    const FitOptions options{.tolerance = 1.0, .starts = 4};
+    const FitOptions options{.tolerance = 1.0, .starts = 2};
     double near = 0.0, all = 0.0, recalled = 0.0;
     for (const auto& [kept, held_out] : {std::pair{&one, &other}, std::pair{&other, &one}}) {
         const Fit fit = fitted(definitions, *kept, Thresholds(4, 0.4f), options);
@@ -272,7 +272,8 @@ TEST(FittedThresholds, OfTwoDrawingsEachIsHeldOutOnce) {
         const double pixels = double(drawn(definitions, thresholds).count());  // rows are apart: none counts twice
         near += of.precision * pixels, all += pixels, recalled += of.recall * double(held_out->count());
     }
-    const Fit found = cross_validated(all_of(definitions, {&one, &other}), Thresholds(4, 0.4f), options);
+    const Fit found =
+        cross_validated(evidence_of(all_of(definitions, {&one, &other}), 1.0), Thresholds(4, 0.4f), options);
     EXPECT_NEAR(found.precision, near / all, 1e-9);
     EXPECT_NEAR(found.recall, recalled / double(one.count() + other.count()), 1e-9);
     EXPECT_LT(found.f(1.0), 0.95);
@@ -283,7 +284,7 @@ TEST(FittedThresholds, WhatOneHasDrawnByThresholdsIsAsNearInPartsThatAreHeldOut)
         const Definitions definitions = artists_lines(seed);
         const Bitmap artist = drawn(definitions, of_artist);
         const Fit held_out =
-            cross_validated(judging(definitions, artist), Thresholds(4, 0.4f), FitOptions{.tolerance = 1.0});
+            cross_validated(evidence_of(judging(definitions, artist), 1.0), Thresholds(4, 0.4f), FitOptions{});
         EXPECT_GE(held_out.f(1.0), 0.98) << seed;
     }
 }
@@ -295,7 +296,7 @@ TEST(FittedThresholds, WhatIsDrawnAtRandomIsFurtherInPartsThatAreHeldOut) {
         const Bitmap judge = random_judge(seed);
         const FitOptions options{.tolerance = 1.0};
         fitted_f += fitted(many, judge, Thresholds(8, 0.1f), options).f(1.0);
-        held_out_f += cross_validated(judging(many, judge), Thresholds(8, 0.1f), options).f(1.0);
+        held_out_f += cross_validated(evidence_of(judging(many, judge), 1.0), Thresholds(8, 0.1f), options).f(1.0);
     }
     EXPECT_LT(held_out_f, fitted_f - 20 * 0.03);
 }
@@ -322,9 +323,11 @@ TEST(FittedThresholds, AFitEndsWhenItIsCancelled) {
     const Cancelling scope(&cancel);
     const FitOptions options{.tolerance = 1.0};
     EXPECT_NO_THROW(fitted(definitions, artist, Thresholds(4, 0.4f), options));
+    const Evidence evidence = evidence_of(judging(definitions, artist), 1.0);
     cancel.requested = true;
     EXPECT_THROW(fitted(definitions, artist, Thresholds(4, 0.4f), options), Cancelled);
-    EXPECT_THROW(cross_validated(judging(definitions, artist), Thresholds(4, 0.4f), options), Cancelled);
+    EXPECT_THROW(fitted(evidence, Thresholds(4, 0.4f), options), Cancelled);
+    EXPECT_THROW(cross_validated(evidence, Thresholds(4, 0.4f), options), Cancelled);
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double equal = 1e-12;
 constexpr std::size_t most_rounds = 100;  // a handful does, unless scores are equal but for rounding
-constexpr int starts_per_fold = 4;
+constexpr int starts_per_fold = 2;
 
 /// What a drawing gains by thresholds, and sums of it.
 struct Sums {
@@ -204,21 +204,28 @@ void check_options(const FitOptions& options) {
 
 double Fit::f(double beta) const { return f_measure(precision, recall, beta); }
 
+Fit fitted(const Evidence& evidence, In<float> first, const FitOptions& options) {
+    check_options(options);
+    return best_of(evidence, first, options);
+}
+
+Fit judged(const Evidence& evidence, In<float> thresholds, const FitOptions& options) {
+    return Search(evidence, options, levels_from(evidence, thresholds)).found();
+}
+
 Fit fitted(const std::vector<Judging>& drawings, In<float> first, const FitOptions& options) {
     check_options(options);
-    return best_of(evidence_of(drawings, options.tolerance), first, options);
+    return fitted(evidence_of(drawings, options.tolerance), first, options);
 }
 
 Fit judged(const std::vector<Judging>& drawings, In<float> thresholds, const FitOptions& options) {
-    const Evidence all = evidence_of(drawings, options.tolerance);
-    return Search(all, options, levels_from(all, thresholds)).found();
+    return judged(evidence_of(drawings, options.tolerance), thresholds, options);
 }
 
-Fit cross_validated(const std::vector<Judging>& drawings, In<float> first, const FitOptions& options) {
+Fit cross_validated(const Evidence& all, In<float> first, const FitOptions& options) {
     check_options(options);
     FitOptions of_fold = options;
     of_fold.starts = std::min(options.starts, starts_per_fold);
-    const Evidence all = evidence_of(drawings, options.tolerance);
     Sums sums;
     for (std::size_t fold = 0; fold < all.folds; ++fold) {
         const Fit fit = best_of(all.part(fold, false), first, of_fold);

@@ -40,9 +40,13 @@ Fit fitted(const std::vector<Judging>& drawings, In<float> first, const FitOptio
 /// The same of given thresholds.
 Fit judged(const std::vector<Judging>& drawings, In<float> thresholds, const FitOptions& options);
 
+/// The same of evidence that is there, whatever tolerance is in the options.
+Fit fitted(const Evidence& evidence, In<float> first, const FitOptions& options);
+Fit judged(const Evidence& evidence, In<float> thresholds, const FitOptions& options);
+
 /// How well thresholds fit what they were not fitted to: each part (`Evidence::folds`) is held out once and judged by
 /// those fitted to the others; precision and recall are of all held-out parts together, without thresholds.
-Fit cross_validated(const std::vector<Judging>& drawings, In<float> first, const FitOptions& options);
+Fit cross_validated(const Evidence& evidence, In<float> first, const FitOptions& options);
 
 /// A single drawing, in the view of the definitions' lines; both have to outlive it.
 std::vector<Judging> judging(const std::vector<Strengths>& definitions, const Bitmap& judge);
