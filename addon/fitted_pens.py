@@ -22,24 +22,22 @@ class Looked:
     darkness: float | None
 
 
-def looked(names, drawn, strokes, tolerance):
+def looked(names, drawn, laid, tolerance):
     """A Looked of each line set, or None where drawings do not show it. `drawn`: native Bitmaps of what the line sets
-    of the `names` draw; `strokes`: (native GrayImage, Bitmap of its lines) of each drawing that is a picture;
-    `tolerance` [px]."""
+    of the `names` draw; `laid`: a registered_drawing.Laid of each drawing; `tolerance` [px]."""
     far = [bitmap.distances().ravel() for bitmap in drawn]
-    of_sets = [([], []) for _ in names]
-    for gray, lines in strokes:
-        looks = gray.stroke_looks(lines)
-        near = np.array([distance[looks.pixel] <= tolerance for distance in far])
+    of_sets = [[] for _ in names]
+    for pixel, looks in (each.stroke_looks() for each in laid if each.gray):
+        near = np.array([distance[pixel] <= tolerance for distance in far])
         alone = near & (near.sum(axis=0) == 1)  # where strokes of two sets meet, neither can be measured
-        for (widths, darkness), of_set in zip(of_sets, alone):
-            widths.append(looks.width[of_set])
-            darkness.append(looks.darkness[of_set])
-    return [_medians(name, *map(np.concatenate, found)) if found[0] else None for name, found in zip(names, of_sets)]
+        for found, of_set in zip(of_sets, alone):
+            found.append(looks[of_set])
+    return [_medians(name, np.concatenate(found)) if found else None for name, found in zip(names, of_sets)]
 
 
-def _medians(name, widths, darkness):
-    if len(widths) < LEAST_PIXELS or np.median(widths) < LEAST_WIDTH:
+def _medians(name, looks):
+    widths, measured, darkness = looks.T
+    if len(looks) < LEAST_PIXELS or np.median(measured) < LEAST_WIDTH:
         return None
     told = darkness[np.isfinite(darkness)]
     return Looked(name, float(np.median(widths)), float(np.median(told)) if len(told) >= LEAST_PIXELS else None)

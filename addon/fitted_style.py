@@ -213,7 +213,7 @@ def _looks(made, lines, laid, tolerance):
     """What fitted_pens.looked finds for the line sets of a Style. `lines`: {definition: Bitmap} of what is drawn."""
     names = [line_set.name for line_set in made.line_sets]
     drawn = [_union(lines[name] for name in line_set.kinds) for line_set in made.line_sets]
-    return fitted_pens.looked(names, drawn, [(each.gray, each.bitmap) for each in laid if each.gray], tolerance)
+    return fitted_pens.looked(names, drawn, laid, tolerance)
 
 
 def _union(bitmaps):

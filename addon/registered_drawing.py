@@ -19,6 +19,21 @@ class Laid:
     gray: object = None
     px_per_mm: float | None = None  # of the reference's pixels on the drawing's paper
     to_scan: object = None  # (3, 3) from the reference's pixels to those of the drawing, where it was registered
+    scan: object = None  # native GrayImage of the drawing as it was scanned, where it was
+
+    def stroke_looks(self):
+        """((N,) numbers of the reference's pixels, (N, 3) widths in these, as they are measured, and darkness) of a
+        picture's strokes. Of a scan they are measured there: resampling blurs narrow ones."""
+        if self.scan is None:
+            looks = self.gray.stroke_looks(self.bitmap)
+            return looks.pixel, np.stack([looks.width, looks.width, looks.darkness], axis=1)
+        looks, (height, width) = self.scan.stroke_looks(self.scan.lines()), self.bitmap.pixels.shape
+        y, x = np.divmod(looks.pixel, self.scan.values.shape[1])
+        at = np.linalg.inv(self.to_scan) @ np.stack([x + 0.5, y + 0.5, np.ones(len(x))])
+        x, y = np.floor(at[:2] / at[2]).astype(np.int64)
+        inside = (x >= 0) & (y >= 0) & (x < width) & (y < height)
+        of_frame = looks.width / _growth(self.to_scan, (width, height))
+        return (y * width + x)[inside], np.stack([of_frame, looks.width, looks.darkness], axis=1)[inside]
 
 
 def laid(drawing, reference, register, tolerance=None):
@@ -26,11 +41,13 @@ def laid(drawing, reference, register, tolerance=None):
     size = reference.pixels.shape[::-1]
     if drawing.gray is None:
         return Laid(drawing.bitmap(size), px_per_mm=drawing.px_per_mm(size))
-    to_scan, cleaned = REGISTERED[register](
+    to_scan, on_sheet = REGISTERED[register](
         drawing, reference, reference.usual_tolerance if tolerance is None else tolerance
     )
-    gray, of_scan = cleaned(drawing.gray.resampled(to_scan, *size)), drawing.px_per_mm(drawing.size)
-    return Laid(gray.lines(), gray, of_scan and of_scan / _growth(to_scan, size), to_scan)
+    gray, scan, of_scan = drawing.gray.resampled(to_scan, *size), drawing.gray, drawing.px_per_mm(drawing.size)
+    if on_sheet:
+        gray, scan = _drawn_on_sheet(gray), _without_print(scan)
+    return Laid(gray.lines(), gray, of_scan and of_scan / _growth(to_scan, size), to_scan, scan)
 
 
 def _growth(to_scan, size):
@@ -42,7 +59,7 @@ def _growth(to_scan, size):
 
 
 def _by_lines(drawing, reference, tolerance):
-    """(the matrix from a Bitmap's pixels to those of a Drawing by its lines, what to do with its picture)."""
+    """(the matrix from a Bitmap's pixels to those of a Drawing by its lines, whether it is drawn on a prompt sheet)."""
     found = drawing.gray.lines().registration(reference, tolerance)
     share = found["outer_share"] if found else 0.0
     if share < LEAST_OUTER:
@@ -50,7 +67,7 @@ def _by_lines(drawing, reference, tolerance):
             f"{drawing.name} could not be registered: {share:.0%} of the outer boundary have a line within the "
             f"tolerance, and {LEAST_OUTER:.0%} are needed; use a prompt sheet, or a larger --tolerance"
         )
-    return found["to_scan"], lambda gray: gray
+    return found["to_scan"], False
 
 
 def _by_marks(drawing, reference, _tolerance):
@@ -61,16 +78,22 @@ def _by_marks(drawing, reference, _tolerance):
             f"{drawing.name}: the marks of a prompt sheet are not found: scan all five discs around the frame, or "
             "register it by its lines"
         )
-    return to_scan, _drawn_on_sheet
+    return to_scan, True
+
+
+def _without_print(gray):
+    """A native GrayImage without the faint picture that a prompt sheet has printed."""
+    values = gray.values.copy()
+    paper = np.median(values)
+    values[values >= DARKEST_PRINT * paper] = paper
+    return type(gray)(values)
 
 
 def _drawn_on_sheet(gray):
-    """A native GrayImage without what a prompt sheet has printed: the faint picture, and the box along the border."""
-    values = gray.values.copy()
-    paper, border = np.median(values), int(np.ceil(BOX * max(values.shape)))
-    values[values >= DARKEST_PRINT * paper] = paper
-    inside = values[border:-border, border:-border]
-    return type(gray)(np.pad(inside, border, constant_values=int(paper)))
+    """A native GrayImage of a sheet's frame without the faint picture and the box along the border."""
+    values = _without_print(gray).values
+    border = int(np.ceil(BOX * max(values.shape)))
+    return type(gray)(np.pad(values[border:-border, border:-border], border, constant_values=int(np.median(values))))
 
 
 REGISTERED = {"lines": _by_lines, "marks": _by_marks}

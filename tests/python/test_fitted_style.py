@@ -175,7 +175,7 @@ def test_a_style_is_fitted_to_the_drawings_of_several_artists():
 
 
 def picture(strokes):
-    """(native GrayImage, Bitmap of its lines) of [(px (N, 2, 2) of level lines, width [px], light of the ink)] on white
+    """The Laid of a picture of [(px (N, 2, 2) of level lines, width [px], light of the ink)] on white
     paper: a pixel's light is that of the parts that are drawn."""
     light = np.ones(SIZE[::-1])
     for px, width, ink in strokes:
@@ -185,7 +185,7 @@ def picture(strokes):
             light[:, int(x0) : int(x1)] *= 1 - share * (1 - ink)
     values = np.where(light <= 0.0031308, 12.92 * light, 1.055 * light ** (1 / 2.4) - 0.055)
     gray = core.GrayImage(np.rint(255 * values).astype(np.uint8))
-    return gray, gray.lines()
+    return registered_drawing.Laid(gray.lines(), gray)
 
 
 def lines_at(rows, x0=20, x1=300):
@@ -234,11 +234,22 @@ def test_strokes_that_are_too_thin_or_too_few_leave_pens_as_they_are():
     assert fitted_pens.with_looks(PLAIN, [None, None], SIZE[1]) == PLAIN
 
 
+def test_strokes_of_a_scan_are_measured_there_and_are_as_wide_as_in_the_frame():
+    """A scan of twice the frame's size, turned: what is narrow in the frame has its width there."""
+    rows = lines_at(np.arange(10, 230, 10.3))
+    drawn = picture([(rows, 3.0, 0.2)])
+    to_scan = np.linalg.inv([[0.4, -0.03, 60.0], [0.03, 0.4, 40.0], [1e-5, 0, 1]])
+    of_frame = np.linalg.inv(to_scan) @ np.array([*rows.reshape(-1, 2).T, np.ones(2 * len(rows))])
+    lines = bitmap((of_frame[:2] / of_frame[2]).T.astype(np.float32).reshape(-1, 2, 2))
+    asked = registered_drawing.Laid(lines, drawn.gray, None, to_scan, drawn.gray)
+    (look,) = fitted_pens.looked(["a"], [lines], [asked], 2.0)
+    assert look.width == pytest.approx(1.2, rel=0.05) and look.darkness == pytest.approx(0.8, rel=0.05)
+
+
 def test_a_fit_to_a_picture_gives_the_style_its_strokes():
     px = draw(fitted_style.style_with(PLAIN, ARTIST))[0].reshape(-1, 2, 2)
     # At all parts of a pixel, as lines of drawings are.
-    gray, lines = picture([(px + np.linspace(0, 1, len(px))[:, None, None] * (0, 1), 2.4, 0.0)])
-    asked = [registered_drawing.Laid(lines, gray)]
+    asked = [picture([(px + np.linspace(0, 1, len(px))[:, None, None] * (0, 1), 2.4, 0.0)])]
     found = fitted_style.fit(draw, SIZE, NAMES, PLAIN, lambda _: asked, 2.0)
     assert {look.name for look in found.looks} == {"forms", "lines"}
     for look, line_set in zip(found.looks, found.style.line_sets):
