@@ -1946,4 +1946,59 @@ class GaugePlaces:
         """Of what a Tracer sees at (n, 2) pixels from the lower left; radius [px]: all within it is to be one
         surface."""
 
+class LocalProperties:
+    """What is known of each pixel of a scene alone."""
+    def __init__(self, scene: Scene, view: View) -> None:
+        """Of the pixels of a view; see native/fovea/study/local_properties.h."""
+    names: ClassVar[tuple]
+    @property
+    def known(self) -> numpy.ndarray:
+        """(H, W) uint8, bottom row first; 1: a surface is seen there or beside"""
+    @property
+    def values(self) -> NDArray[numpy.float32]:
+        """(H, W, 15) float32, in the order of `names`, which are pairs of name and label"""
+
+class LineModel:
+    """How likely a line is at pixels, learned from drawings."""
+    def __init__(
+        self,
+        kind: str,
+        rows: Annotated[ArrayLike, numpy.float32],
+        target: Annotated[ArrayLike, numpy.float32],
+        weight: Annotated[ArrayLike, numpy.float32],
+    ) -> None:
+        """kind: one of `kinds`; rows (n, 15) of LocalProperties, target (n,) in [0, 1], weight (n,) positive."""
+    kinds: ClassVar[tuple]
+    @staticmethod
+    def of_json(text: str) -> LineModel:
+        """Of a model file's text."""
+    def json(self) -> str:
+        """The text of a model file, of which the same model is read."""
+    @property
+    def kind(self) -> str: ...
+    @property
+    def threshold(self) -> float:
+        """Probability from which on there are lines"""
+    def with_threshold(self, threshold: float) -> LineModel:
+        """The same with another one."""
+    def __eq__(self, other: LineModel) -> bool: ...
+    def values(self, rows: Annotated[ArrayLike, numpy.float32]) -> NDArray[numpy.float32]:
+        """(n,) float32 probabilities of rows (n, 15)."""
+    def probabilities(self, properties: LocalProperties) -> NDArray[numpy.float32]:
+        """(H, W) float32, bottom row first; 0 where the properties are not known."""
+    def importance(
+        self,
+        rows: Annotated[ArrayLike, numpy.float32],
+        target: Annotated[ArrayLike, numpy.float32],
+        weight: Annotated[ArrayLike, numpy.float32],
+    ) -> dict:
+        """{property: share of the target's variance by which the error grows without it}; see
+        native/fovea/study/samples.h."""
+
+def crests_of(probability: Annotated[ArrayLike, numpy.float32]) -> Strengths:
+    """The Strengths of the crests of probabilities (H, W); see native/fovea/study/probable_lines.h."""
+
+def lines_of(crests: Strengths, threshold: float) -> Bitmap:
+    """The Bitmap of the crests that are as strong as the threshold somewhere, as far as they have half of it."""
+
 notes: dict

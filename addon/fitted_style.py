@@ -85,6 +85,11 @@ def _alone(base, thresholds):
     return alone.replace(line_sets=sets, elision=style.Elision())
 
 
+def drawn_outlines(draw, size, base):
+    """The Bitmap of outlines_of(base), over which drawings are registered. `draw`, `size`: as for `fit`."""
+    return native.load().Bitmap.of_lines(*draw(_alone(base, dict.fromkeys(outlines_of(base), ON))), *size)
+
+
 def fit(draw, size, names, base, judges_of, tolerance=None, beta=1.0, pens=True):
     """The Fitted of the definitions `names` and the Style `base`. draw(style): (px, offsets) of what it draws in a
     frame of (width, height) pixels. judges_of(reference): the Laid of the artists' drawings; reference() is the Bitmap
@@ -92,7 +97,7 @@ def fit(draw, size, names, base, judges_of, tolerance=None, beta=1.0, pens=True)
     complete than clean; `pens`: whether they get the width and darkness of strokes. ValueError if nothing that can be
     drawn is near to the drawings."""
     core, ladders = native.load(), [_Ladder(draw, base, name) for name in names]
-    laid = judges_of(lambda: core.Bitmap.of_lines(*draw(_alone(base, dict.fromkeys(outlines_of(base), ON))), *size))
+    laid = judges_of(lambda: drawn_outlines(draw, size, base))
     judges = [each.bitmap for each in laid]
     tolerance = judges[0].usual_tolerance if tolerance is None else tolerance
     usual = [ladder.usual for ladder in ladders]

@@ -13,7 +13,7 @@ from command import printed, temporary
 from command.target import INTERRUPTS, StepFailed, Target, say
 
 # Sub-commands with a module of their own; the others are functions of `actions`.
-MODULES = ("check", "compare", "farm", "figures", "fit", "fuzz", "gaze", "lines", "study", "stub", "test")
+MODULES = ("check", "compare", "farm", "figures", "fit", "fuzz", "gaze", "learn", "lines", "study", "stub", "test")
 
 
 def main(words):

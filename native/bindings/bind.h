@@ -29,5 +29,6 @@ void bind_vector(pybind11::module_& m);
 void bind_study(pybind11::module_& m);
 void bind_salience(pybind11::module_& m);
 void bind_gauges(pybind11::module_& m);
+void bind_learn(pybind11::module_& m);
 
 }  // namespace fovea::bindings

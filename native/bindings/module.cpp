@@ -21,6 +21,7 @@ PYBIND11_MODULE(_native, m) {
     bind_study(m);
     bind_salience(m);
     bind_gauges(m);
+    bind_learn(m);
     // Notes of Python code about the loaded module. Reimporting resets the module's attributes to those set here, but
     // this dict object stays the same.
     m.attr("notes") = pybind11::dict();
