@@ -12,8 +12,8 @@ from pathlib import Path
 
 import bpy
 import numpy as np
-from bl_ext.user_default.fovea import comparison_report, gaze, native, style
-from bl_ext.user_default.fovea.render import gaze_check, vectors
+from bl_ext.user_default.fovea import comparison_report, gaze, learned_lines, native, style
+from bl_ext.user_default.fovea.render import gaze_check, local_properties, vectors
 from bl_ext.user_default.fovea.style import style_data
 
 sys.path.insert(0, str(Path(__file__).parent))
@@ -34,6 +34,7 @@ from gauges import formulas
 from scenes import lessons
 
 FAINT = {"pen.width": 2.8, "pen.color": (0.4, 0.4, 0.4), "pen.taper": 0.0}
+CLEAR = {"pen.width": 4.0, "pen.taper": 0.0}
 BOLD = {"pen.width": 7.5, "pen.color": (0.0, 0.0, 0.0), "pen.taper": 0.0, "pen.strength_width": 0.5}
 GREYS, FEW_GREYS = 16, 6  # gray levels: fewer give smaller files, and the pages are part of the extension
 EYE = np.array((0.13, -0.3, 0.09))  # of the monkey, in its widths
@@ -237,6 +238,23 @@ def overlay(name, path):
     return comparison_report.overlay(a, b, a.usual_tolerance) / 255
 
 
+def learned(name, path):
+    """(H, W) drawing of a model, how likely its lines are by what is learned from it, and lines of another model by that,
+    supersampled by 2."""
+    shown, other = pages.LEARN[name]
+    open_model(shown.model)
+    gray = draw_lines(shown, shown.drawn[0], (), CLEAR, path)
+    judge = native.load().GrayImage(np.round(255 * gray)).lines()
+    properties, _ = local_properties.of_render(bpy.context, gray.shape[::-1])
+    model = learned_lines.learn(properties, [judge], "forest").model
+    likely, _ = learned_lines.drawn(model, properties)
+    open_model(other.model)
+    draw_lines(other, other.drawn[0], (), FAINT, path)  # sets up its camera
+    _, lines = learned_lines.drawn(model, local_properties.of_render(bpy.context, gray.shape[::-1])[0])
+    thin = np.where(lines.distances() <= 1.0, 0.3, 1.0)
+    return in_grays(halved(np.hstack([gray, 1.0 - likely, thin])))
+
+
 def heat(name, path):
     """(H, W, 3) heat map of where the eye goes in a drawing of the office, at twice the size."""
     open_model("office")
@@ -332,7 +350,7 @@ def animation(name, path):
 DRAWN_BY = {
     "lines": line, "sections": section, "way": stage, "focus": stage, "strokes": stroke, "painted": painted,
     "situations": situation, "over": over_render, "transfers": plot, "grease_pencil": pencil, "animation": animation,
-    "compare": overlay, "gaze": heat, "gauge": gauged, "vectors": of_file, "farm": frames,
+    "compare": overlay, "learn": learned, "gaze": heat, "gauge": gauged, "vectors": of_file, "farm": frames,
 }  # fmt: skip
 
 

@@ -231,6 +231,10 @@ class Pair:
 
 COMPARE = {"overlay": Pair(*BUNNY, (("contour", "suggestive_contour"), ("contour", "apparent_ridge")))}
 
+LEARN = {  # picture -> a drawing that is learned from, and another model that is drawn by that
+    "learned": (Pair(*MONKEY, (("contour", "suggestive_contour", "ridge", "valley"),)), Pair("organic/cow.obj", _seen(-60, 12), (SHAPE,)))
+}
+
 GAZE_SIZE = "240x135"
 GAZE = {  # heat map -> what of the office it is of
     name: Stage(
@@ -249,8 +253,8 @@ GAUGE = {  # picture with true gauges -> its model, and how that is drawn
 GROUPS = {
     "lines": LINES, "sections": SECTIONS, "way": WAY, "focus": FOCUS, "strokes": STROKES, "painted": PAINTED,
     "situations": SITUATIONS, "over": OVER, "transfers": TRANSFERS, "grease_pencil": GREASE_PENCIL,
-    "animation": ANIMATION | FOLLOWING | COMPARED, "compare": COMPARE, "gaze": GAZE,
-    "gauge": GAUGE,
+    "animation": ANIMATION | FOLLOWING | COMPARED, "compare": COMPARE, "learn": LEARN,
+    "gaze": GAZE, "gauge": GAUGE,
     "vectors": VECTORS | TITLED, "farm": FARM,
 }  # fmt: skip
 
@@ -264,6 +268,6 @@ def file_of(name):
     """File of a GROUP/PICTURE, relative to addon/docs: PNG for gray pictures, JPEG for others."""
     return (
         f"{name}.png"
-        if name.startswith(("animation/", "lines/", "strokes/", "transfers/", "vectors/"))
+        if name.startswith(("animation/", "learn/", "lines/", "strokes/", "transfers/", "vectors/"))
         else f"{name}.jpg"
     )
