@@ -6,12 +6,14 @@ Pictures are bottom row first. How likely a line is at a pixel, which models lea
 Gaussian of the distance to the nearest line, 1 on a line, half a tolerance wide."""
 
 from dataclasses import dataclass
+from pathlib import Path
 
 import numpy as np
 
 from . import native
 
 SEED = 1
+MOST_BYTES = 2 << 20  # of a file that is looked at: models have half of that at most
 BLOCK = 0.025  # side of the blocks by which pixels are held out, as a share of the diagonal
 HELD_OUT = 4  # of so many blocks one is held out
 NEAR = 0.1  # from which likelihood on a pixel is near to a line: all of these are learned from
@@ -44,17 +46,36 @@ def held_out(height, width):
     return (rows // side + 2 * (columns // side)) % HELD_OUT == 0
 
 
-def learn(properties, drawings, kind="tree", tolerance=None):
+def read(path):
+    """The native LineModel of a file. ValueError, or an OSError, in a sentence if it is none."""
+    with Path(path).open("rb") as file:
+        text = file.read(MOST_BYTES).decode("utf-8", errors="replace")
+    try:
+        return native.load().LineModel.of_json(text)
+    except ValueError as error:
+        raise ValueError(f"{Path(path).name}: {error}") from error
+
+
+def learn(properties, drawings, kind="tree", tolerance=None, outlines=None):
     """The Learned of native LocalProperties and Bitmaps of the same view. `kind`: one of the native LineModel's.
-    ValueError in a sentence if there is nothing to learn."""
+    `outlines`: a Bitmap of those of the scene, which everyone draws; importance is that away from them. ValueError in a
+    sentence if there is nothing to learn."""
+    known = properties.known > 0
+    for drawing in drawings:
+        if drawing.pixels.shape != known.shape:
+            (height, width), (rows, columns) = drawing.pixels.shape, known.shape
+            raise ValueError(
+                f"a drawing has {width} x {height} pixels, and the frame {columns} x {rows}: all have to be as large "
+                "as each other, or scans that are registered by --register"
+            )
     tolerance = drawings[0].usual_tolerance if tolerance is None else tolerance
-    wanted, known = likelihood(drawings, tolerance), properties.known > 0
-    if wanted.shape != known.shape:
-        raise ValueError(f"drawings of {wanted.shape[::-1]} pixels are none of a view of {known.shape[::-1]}")
+    wanted = likelihood(drawings, tolerance)
+    inside = known if outlines is None else known & (outlines.distances() > tolerance)
     held = held_out(*known.shape)
     random = np.random.default_rng(SEED)
     model = native.load().LineModel(kind, *_samples(properties, wanted, known & ~held, random))
-    judged = _judged(model, properties, wanted, known & held, random)
+    judged = _judged(model, properties, wanted, known & held)
+    judged["importance"] = _importance(model, properties, wanted, inside & held, random)
     crests = native.load().crests_of(model.probabilities(properties))
     threshold = _threshold(crests, drawings, ~held, tolerance)
     judged |= measures(native.load().lines_of(crests, threshold), drawings, held, tolerance)
@@ -89,21 +110,27 @@ def _of(properties, wanted, chosen):
     return values.reshape(-1, values.shape[2])[chosen], wanted.ravel()[chosen]
 
 
-def _judged(model, properties, wanted, where, random):
+def _judged(model, properties, wanted, where):
     """Figures of a model at pixels that it has not learned from; None where these are alike."""
     chosen = np.flatnonzero(where)
     rows, target = _of(properties, wanted, chosen)
-    found = {"pixels": len(chosen), "r2": None, "auc": None, "importance": {}}
+    found = {"pixels": len(chosen), "r2": None, "auc": None}
     if len(chosen) < 2 or np.ptp(target) == 0:
         return found
     values = model.values(rows)
     found["r2"] = float(1 - np.mean((values - target) ** 2, dtype=float) / np.var(target, dtype=float))
     found["auc"] = auc(values, target >= LIKELY)
-    some = _some(np.arange(len(chosen)), MOST_JUDGED, random)
-    if np.ptp(target[some]) > 0:
-        importance = model.importance(rows[some], target[some], np.ones(len(some), np.float32))
-        found["importance"] = dict(sorted(importance.items(), key=lambda item: -item[1]))
     return found
+
+
+def _importance(model, properties, wanted, where, random):
+    """{property: importance} by pixels that a model has not learned from, the most important one first; empty where
+    these are alike."""
+    rows, target = _of(properties, wanted, _some(np.flatnonzero(where), MOST_JUDGED, random))
+    if len(target) < 2 or np.ptp(target) == 0:
+        return {}
+    found = model.importance(rows, target, np.ones(len(target), np.float32))
+    return dict(sorted(found.items(), key=lambda item: -item[1]))
 
 
 def auc(values, is_line):

@@ -25,7 +25,7 @@ from command import draw_options, learn
 def main(words):
     options, start = learn.parse(words[1:]), time.perf_counter()
     drawings = [comparison.read(path) for path in options.drawings]
-    model = native.load().LineModel.of_json(options.model.read_text(encoding="utf-8")) if options.predict else None
+    model = learned_lines.read(options.model) if options.predict else None
     scene_source.open_scene(options.scene)
     size = ["--size", "{}x{}".format(*options.size)] if options.size else []
     of_draw = draw_options.parse([options.scene, *size])
@@ -35,20 +35,19 @@ def main(words):
     for drawing in drawings:
         size = comparison.frame_for(drawing, size, options.register)
     judges_of = [comparison.judge_of(drawing, size, options.register, options.tolerance) for drawing in drawings]
-    opened = time.perf_counter()
+    view, opened = (bpy.context, size, scene_source.seen_by(options.camera)), time.perf_counter()
     try:
-        seen_by = scene_source.seen_by(options.camera)
-        properties, judges = local_properties.of_render(bpy.context, size, seen_by, judges_of)
+        known = [local_properties.of_render(*view)] if model else local_properties.with_judges(*view, judges_of)
     except CannotDraw as problem:
         raise ValueError(str(problem)) from problem
     seen = time.perf_counter()
-    found = predicted(options, model, properties) if options.predict else learned(options, properties, judges)
+    found = predicted(options, model, *known) if model else learned(options, *known)
     seconds = {"scene": opened - start, "properties": seen - opened, "model": time.perf_counter() - seen}
     Path(words[0]).write_text(json.dumps(found | {"seconds": seconds}), encoding="utf-8")
 
 
-def learned(options, properties, judges):
-    made = learned_lines.learn(properties, judges, options.kind, options.tolerance)
+def learned(options, properties, judges, outlines):
+    made = learned_lines.learn(properties, judges, options.kind, options.tolerance, outlines)
     with files.written(options.output) as fresh:
         fresh.write_text(made.model.json(), encoding="utf-8")
     return made.found | {"model": str(options.output)}

@@ -239,18 +239,18 @@ def overlay(name, path):
 
 
 def learned(name, path):
-    """(H, W) drawing of a model, how likely its lines are by what is learned from it, and lines of another model by that,
-    supersampled by 2."""
+    """(H, W) drawing of a model, how likely its lines are by what is learned from it, and lines of another model by
+    that, supersampled by 2."""
     shown, other = pages.LEARN[name]
     open_model(shown.model)
     gray = draw_lines(shown, shown.drawn[0], (), CLEAR, path)
     judge = native.load().GrayImage(np.round(255 * gray)).lines()
-    properties, _ = local_properties.of_render(bpy.context, gray.shape[::-1])
+    properties = local_properties.of_render(bpy.context, gray.shape[::-1])
     model = learned_lines.learn(properties, [judge], "forest").model
     likely, _ = learned_lines.drawn(model, properties)
     open_model(other.model)
     draw_lines(other, other.drawn[0], (), FAINT, path)  # sets up its camera
-    _, lines = learned_lines.drawn(model, local_properties.of_render(bpy.context, gray.shape[::-1])[0])
+    _, lines = learned_lines.drawn(model, local_properties.of_render(bpy.context, gray.shape[::-1]))
     thin = np.where(lines.distances() <= 1.0, 0.3, 1.0)
     return in_grays(halved(np.hstack([gray, 1.0 - likely, thin])))
 

@@ -232,7 +232,10 @@ class Pair:
 COMPARE = {"overlay": Pair(*BUNNY, (("contour", "suggestive_contour"), ("contour", "apparent_ridge")))}
 
 LEARN = {  # picture -> a drawing that is learned from, and another model that is drawn by that
-    "learned": (Pair(*MONKEY, (("contour", "suggestive_contour", "ridge", "valley"),)), Pair("organic/cow.obj", _seen(-60, 12), (SHAPE,)))
+    "learned": (
+        Pair(*MONKEY, (("contour", "suggestive_contour", "ridge", "valley"),)),
+        Pair("organic/cow.obj", _seen(-60, 12), (SHAPE,)),
+    )
 }
 
 GAZE_SIZE = "240x135"

@@ -42,12 +42,12 @@ def drawing(thresholds=ARTIST):
 
 def test_what_is_learned_from_a_drawing_draws_the_scene_much_like_it_and_from_elsewhere_too(monkey):
     judge = drawing()
-    properties, judges = local_properties.of_render(bpy.context, SIZE, None, [lambda _: judge])
+    properties, judges, outlines = local_properties.with_judges(bpy.context, SIZE, None, [lambda _: judge])
     assert judges == [judge] and properties.known.shape == SIZE[::-1]
-    learned = learned_lines.learn(properties, judges, "forest")
+    learned = learned_lines.learn(properties, judges, "forest", outlines=outlines)
     assert learned.found["auc"] > 0.9 and learned.found["f1"] > 0.8, learned.found
     monkey.camera.location, monkey.camera.rotation_euler = (-2.4, -4.4, 0.4), (np.radians(86), 0, np.radians(-29))
-    other, _ = local_properties.of_render(bpy.context, SIZE)
+    other = local_properties.of_render(bpy.context, SIZE)
     _, lines = learned_lines.drawn(learned.model, other)
     near = lines.measures(drawing(), judge.usual_tolerance)
     assert near["f1"] > 0.75 > judge.measures(drawing(), judge.usual_tolerance)["f1"], near
@@ -60,7 +60,8 @@ def test_scans_are_registered_over_the_outlines_of_the_scene(monkey):
         asked.append(reference())
         return asked[0]
 
-    local_properties.of_render(bpy.context, SIZE, None, [judge_of])
+    *_, found = local_properties.with_judges(bpy.context, SIZE, None, [judge_of])
+    assert found is asked[0]
     outlines = drawing(dict.fromkeys(fitted_style.outlines_of(style.load("plain")), 1.0))
     assert asked[0].measures(outlines, 0.0)["f1"] == 1.0
 
@@ -70,9 +71,9 @@ def test_properties_are_those_of_a_scene_in_view_of_any_object(monkey):
     away.location = 0, 0, 50  # looks down
     monkey.collection.objects.link(away)
     bpy.context.view_layer.update()
-    found, _ = local_properties.of_render(bpy.context, SIZE, away)
+    found = local_properties.of_render(bpy.context, SIZE, away)
     assert 0 < found.known.mean() < 0.02
-    near, _ = local_properties.of_render(bpy.context, SIZE)
+    near = local_properties.of_render(bpy.context, SIZE)
     assert near.known.mean() > 0.1
 
 

@@ -5,6 +5,7 @@
 
 #include <fovea/field/exact_curvature.h>
 #include <fovea/field/fields.h>
+#include <fovea/field/view_curvature.h>
 #include <fovea/study/curvature_at.h>
 #include <fovea/study/local_properties.h>
 
@@ -141,6 +142,44 @@ TEST(LocalProperties, OfATorusAreItsCurvaturesBetweenVerticesToo) {
         EXPECT_NEAR(of(found, i, Property::second_curvature), size * k2, 0.03 * size * k1);
         EXPECT_NEAR(of(found, i, Property::facing), std::sqrt(1.0 - from * from / (r * r)), 0.02);
     }
+}
+
+TEST(LocalProperties, OfWavesAreThoseOfTheirExactCurvatureAtEachPixel) {
+    const analytic::Sample waves = analytic::waves({.n = 192});
+    const Placement placed = place(waves.mesh);
+    const double size = field::fields_of(*placed.surface)->feature_size;
+    const LocalProperties found = seen({placed}, above);
+    using enum Property;
+    const std::array compared{first_curvature,       second_curvature, first_curvature_change,  view_curvature,
+                              view_curvature_change, radial_curvature, radial_curvature_change, radial_torsion};
+    std::map<Property, std::pair<double, double>> sums;  // squared errors, and squares
+    for (std::size_t i = 0; i < found.rows.size(); ++i) {
+        const dvec2 at = (center_of(i, width) - dvec2(width, height) / 2.0) / 40.0;
+        if (std::max(std::abs(at.x), std::abs(at.y)) > 0.85) continue;  // borders are fitted less well
+        field::CurvatureD c = waves.exact(waves.point(0.5 * (at.x + 1.0), 0.5 * (at.y + 1.0)));
+        if (std::abs(c.k2) > 0.9 * std::abs(c.k1)) continue;  // where the directions change places
+        c.k1 *= size, c.k2 *= size;
+        for (double& third : c.C) third *= size * size;
+        const auto eye = field::see(c, dvec3(0, 0, 1), 0.0);
+        const auto view = field::view_curvature(c, eye);
+        const auto radial = field::radial(c, eye);
+        if (eye.sine2() < 0.01) continue;  // where the radial direction is not defined
+        const double as_seen = std::sqrt(view.squared);
+        const std::array exact{c.k1,
+                               c.k2,
+                               std::abs(c.C[0]),
+                               as_seen,
+                               std::abs(view.derivative) / (2.0 * as_seen),
+                               radial.curvature,
+                               radial.derivative,
+                               radial.torsion};
+        for (std::size_t k = 0; k < compared.size(); ++k) {
+            const double error = of(found, i, compared[k]) - exact[k];
+            sums[compared[k]].first += error * error, sums[compared[k]].second += exact[k] * exact[k];
+        }
+    }
+    for (const Property each : compared)
+        EXPECT_LT(std::sqrt(sums[each].first / sums[each].second), 0.05) << property_names[std::size_t(each)].name;
 }
 
 TEST(MixedCurvature, OfEqualCornersIsTheirsAndKnowsNoSignOfTheirFrames) {

@@ -96,6 +96,31 @@ def test_a_model_is_the_same_each_time_and_restored_from_its_file(seen):
     json.dumps(first.found, allow_nan=False)
 
 
+def test_what_is_important_is_told_away_from_outlines(seen):
+    """An artist who draws crests of one property in the left half, and beside the outlines of the right one another."""
+    right = np.arange(SIZE[0])[None, :] >= SIZE[0] // 2
+    areas = [
+        (of(seen, name) > np.quantile(of(seen, name), 0.8)) & (seen.known > 0)
+        for name in ("luminance", "radial_torsion")
+    ]
+    drawn = core.Bitmap(np.where(right, *areas).astype(np.uint8))
+    outlines = core.Bitmap(np.broadcast_to(right, drawn.pixels.shape).astype(np.uint8))
+    found = learned_lines.learn(seen, [drawn], "tree", 1.0, outlines).found
+    assert next(iter(found["importance"])) == "radial_torsion"
+    everywhere = core.Bitmap(np.ones_like(drawn.pixels))
+    assert learned_lines.learn(seen, [drawn], "tree", 1.0, everywhere).found["importance"] == {}
+
+
+def test_files_that_are_no_models_are_told_by_name(tmp_path, seen):
+    model, file = learned_lines.learn(seen, [artist(seen)]).model, tmp_path / "a.json"
+    file.write_text(model.json(), encoding="utf-8")
+    assert learned_lines.read(file) == model
+    for content in (b"\xff\xfe\x00", b"{}", b" " * (3 << 20), b"[" * 100):
+        file.write_bytes(content)
+        with pytest.raises(ValueError, match=r"a\.json: a model of lines: .*write it anew by `fovea learn`"):
+            learned_lines.read(file)
+
+
 def test_several_drawings_are_learned_as_their_mean(seen):
     one, other = artist(seen), core.Bitmap(np.zeros(SIZE[::-1], np.uint8))
     wanted = learned_lines.likelihood([one, other], 2.0)
@@ -128,7 +153,7 @@ def test_areas_under_curves_are_shares_of_pairs():
 def test_what_cannot_be_learned_is_told_in_a_sentence(seen):
     with pytest.raises(ValueError, match="same everywhere.*nothing to learn from them"):
         learned_lines.learn(seen, [core.Bitmap(np.zeros(SIZE[::-1], np.uint8))])
-    with pytest.raises(ValueError, match=r"drawings of \(4, 3\) pixels are none of a view of \(320, 240\)"):
+    with pytest.raises(ValueError, match=r"a drawing has 4 x 3 pixels, and the frame 320 x 240: all have to be"):
         learned_lines.learn(seen, [core.Bitmap(np.ones((3, 4), np.uint8))])
     with pytest.raises(ValueError, match="a model of lines: it is not JSON"):
         core.LineModel.of_json("{")
