@@ -40,12 +40,14 @@ std::size_t most(const std::array<double, property_count>& shares) {
     return std::size_t(std::max_element(shares.begin(), shares.end()) - shares.begin());
 }
 
-const auto linear = [](const PropertyRow& row) { return 0.5 + 0.2 * row[2] - 0.15 * row[11] + 0.1 * row[5] * row[5]; };
+const auto linear = [](const PropertyRow& row) {
+    return 0.5 + 0.2 * row[2] - 0.1 * row[11] + 0.1 * row[5] * row[5] - 0.05 * row[4] * row[13];
+};
 const auto of_two = [](const PropertyRow& row) { return row[3] > 0.2f && row[9] < -0.1f ? 1.0 : 0.0; };
 
 }  // namespace
 
-TEST(LineModel, RegressionRecoversWeightedSumsOfPropertiesAndTheirSquares) {
+TEST(LineModel, RegressionRecoversWeightedSumsOfPropertiesTheirSquaresAndTheirProducts) {
     const LineModel model = learned_regression(drawn(20000, linear));
     for (const PropertyRow& row : drawn(1000, linear, 2).rows) EXPECT_NEAR(model.probability(row), linear(row), 1e-6);
 }
@@ -186,7 +188,7 @@ TEST(LineModel, WhatIsNoModelIsRefusedInASentence) {
     expect(changed(tree, "\"child\": [1", "\"child\": [1.5"), "not a whole one");
     expect(changed(tree, "\"child\": [1", "\"child\": [1, 1"), "'child' has 6 numbers, and 5 are needed");
     expect(changed(tree, "\"property\": [", "\"property\": [7"), "from -1 to 14");
-    expect(changed(sum, "\"weights\": [", "\"weights\": [1.0, "), "'weights' has 32 numbers, and 31 are needed");
+    expect(changed(sum, "\"weights\": [", "\"weights\": [1.0, "), "'weights' has 137 numbers, and 136 are needed");
     expect(changed(sum, "\"low\": [-1.0", "\"low\": [2.0"), "above that of 'high'");
     expect(changed(sum, "\"low\": [-1.0", "\"low\": [true"), "no number");
     expect(changed(sum, "\"low\": [-1.0", "\"low\": [-1e300"), "too large");

@@ -14,10 +14,11 @@ Regression::Terms Regression::terms_of(const PropertyRow& row) const {
     for (std::size_t i = 0; i < property_count; ++i) {
         const double width = double(high[i]) - double(low[i]);
         const double inside = double(std::clamp(row[i], low[i], high[i])) - double(low[i]);
-        const double scaled = width > 0.0 ? 2.0 * inside / width - 1.0 : 0.0;
-        found[1 + i] = scaled;
-        found[1 + property_count + i] = scaled * scaled;
+        found[1 + i] = width > 0.0 ? 2.0 * inside / width - 1.0 : 0.0;
     }
+    std::size_t term = 1 + property_count;
+    for (std::size_t i = 1; i <= property_count; ++i)
+        for (std::size_t k = i; k <= property_count; ++k) found[term++] = found[i] * found[k];
     return found;
 }
 

@@ -13,10 +13,10 @@
 
 namespace fovea::study {
 
-/// A weighted sum of properties and of their squares.
+/// A weighted sum of properties, their squares and their products.
 struct Regression {
-    /// One, properties, squares.
-    static constexpr std::size_t terms = 1 + 2 * property_count;
+    /// One, the properties, and the products of each with itself and those after it.
+    static constexpr std::size_t terms = 1 + property_count + property_count * (property_count + 1) / 2;
     using Terms = std::array<double, terms>;
 
     PropertyRow low{}, high{};  ///< properties are clamped to this, and mapped to -1 to 1
@@ -70,7 +70,7 @@ LineModel read_model(std::string_view json);
 namespace fovea::style {
 template <>
 inline constexpr Choice choices_of<study::LineModel::Kind>[] = {
-    {"regression", "Regression", "A weighted sum of properties and of their squares"},
+    {"regression", "Regression", "A weighted sum of properties, their squares and their products"},
     {"tree", "Tree", "Thresholds of properties, one after the other"},
     {"forest", "Forest", "The mean of many trees, each of random pixels"},
 };
