@@ -6,6 +6,7 @@
 #include <random>
 
 #include <fovea/base/parallel.h>
+#include <fovea/study/model_tree.h>
 
 namespace fovea::study {
 namespace {
@@ -51,7 +52,10 @@ class Grower {
         tree_.nodes.push_back({-1, 0, all.mean()});
         std::vector<Open> open{{0, 0, numbers_.size(), 0}};
         for (std::size_t next = 0; next < open.size(); ++next) split(Open(open[next]), open);
-        return std::move(tree_);
+        if (!options_.slopes) return std::move(tree_);
+        std::vector<Part> parts;
+        for (const Open& each : open) parts.push_back({each.begin, each.end});
+        return with_slopes(tree_, samples_, numbers_, parts);
     }
 
    private:
@@ -134,20 +138,30 @@ class Grower {
     Split exact(const Open& at, const Sums& all, int property, std::size_t first, std::size_t last) const {
         const std::uint8_t* const codes = binned_.of(std::size_t(property));
         Sums below;
-        std::vector<std::pair<double, Index>> within;
+        std::vector<std::pair<double, Sums>> within;  // by value; of an interval of one value all samples at once
+        std::array<std::size_t, Binned::bins> place;
+        place.fill(none);
         for (std::size_t k = at.begin; k < at.end; ++k) {
             const Index i = numbers_[k];
-            if (codes[i] < first)
-                below.add(samples_.weight[i], samples_.target[i]);
-            else if (codes[i] < last)
-                within.emplace_back(value(i, property), i);
+            const std::size_t bin = codes[i];
+            if (bin >= last) continue;
+            Sums* sums = &below;
+            if (bin >= first) {
+                if (place[bin] == none) {
+                    if (binned_.is_one_value(std::size_t(property), bin)) place[bin] = within.size();
+                    within.emplace_back(value(i, property), Sums());
+                    sums = &within.back().second;
+                } else {
+                    sums = &within[place[bin]].second;
+                }
+            }
+            sums->add(samples_.weight[i], samples_.target[i]);
         }
-        std::ranges::sort(within);
+        std::ranges::stable_sort(within, {}, [](const auto& each) { return each.first; });
         Split best;
         for (std::size_t k = 0; k + 1 < within.size(); ++k) {
-            const auto [here, i] = within[k];
-            below.add(samples_.weight[i], samples_.target[i]);
-            const double after = within[k + 1].first;
+            below.add(within[k].second);
+            const double here = within[k].first, after = within[k + 1].first;
             if (here == after || !fits(below, all)) continue;
             const double gain = gain_of(below, all);
             if (gain > best.gain) best = {gain, property, 0.5 * (here + after)};
@@ -176,6 +190,12 @@ Binned::Binned(In<PropertyRow> rows) {
         for (std::size_t bin = 1; bin < bins; ++bin) {
             const float value = sorted[bin * sorted.size() / bins];
             if (ends.empty() ? value > sorted[0] : value > ends.back()) ends.push_back(value);
+        }
+        for (std::size_t bin = 0; bin <= ends.size(); ++bin) {
+            const float first = bin ? ends[bin - 1] : sorted[0];
+            const auto next =
+                bin < ends.size() ? std::lower_bound(sorted.begin(), sorted.end(), ends[bin]) : sorted.end();
+            one_value_[property][bin] = *(next - 1) == first;
         }
         codes_[property].resize(rows.size());
         for (std::size_t i = 0; i < rows.size(); ++i)

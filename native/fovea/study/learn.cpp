@@ -2,79 +2,28 @@
 #include <fovea/study/learn.h>
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
+#include <optional>
 #include <random>
 
 #include <fovea/base/parallel.h>
+#include <fovea/study/least_squares.h>
 
 namespace fovea::study {
 namespace {
 
-constexpr std::size_t terms = Regression::terms;
-constexpr double ridge = 1e-10;  // of a term's mean square
-constexpr double tail = 0.01;    // of samples at either end of a property's range, which are clamped
+constexpr double ridge = 1e-10;  // only terms that others give are decided by it
 
-/// The normal equations: products of terms, and of terms with the target.
-struct Equations {
-    std::array<std::array<double, terms>, terms> products{};
-    std::array<double, terms> right{};
-
-    void add(const Equations& other) {
-        for (std::size_t i = 0; i < terms; ++i) {
-            right[i] += other.right[i];
-            for (std::size_t k = 0; k <= i; ++k) products[i][k] += other.products[i][k];
-        }
-    }
-};
-
-Equations equations_of(const Samples& samples, const Regression& regression) {
-    const auto parts = parallel_parts<Equations>(samples.size(), 16384, [&](Equations& part, auto begin, auto end) {
-        for (std::size_t n = begin; n < end; ++n) {
-            const Regression::Terms found = regression.terms_of(samples.rows[n]);
-            for (std::size_t i = 0; i < terms; ++i) {
-                const double weighted = double(samples.weight[n]) * found[i];
-                part.right[i] += weighted * double(samples.target[n]);
-                for (std::size_t k = 0; k <= i; ++k) part.products[i][k] += weighted * found[k];
-            }
-        }
-    });
-    Equations sum;
-    for (const Equations& part : parts) sum.add(part);
+LeastSquares equations_of(const Samples& samples, const Regression& regression) {
+    const auto parts = parallel_parts<std::optional<LeastSquares>>(
+        samples.size(), 16384, [&](std::optional<LeastSquares>& part, std::size_t begin, std::size_t end) {
+            part.emplace(Regression::terms);
+            for (std::size_t n = begin; n < end; ++n)
+                part->add(regression.terms_of(samples.rows[n]).data(), samples.target[n], samples.weight[n]);
+        });
+    LeastSquares sum(Regression::terms);
+    for (const auto& part : parts) sum.add(*part);
     return sum;
-}
-
-/// By Cholesky's decomposition, in place of the lower triangle.
-Regression::Terms solved(Equations equations) {
-    auto& l = equations.products;
-    for (std::size_t i = 0; i < terms; ++i) {
-        for (std::size_t k = 0; k <= i; ++k) {
-            double left = l[i][k];
-            for (std::size_t j = 0; j < k; ++j) left -= l[i][j] * l[k][j];
-            l[i][k] = k < i ? left / l[k][k] : std::sqrt(left);
-        }
-    }
-    Regression::Terms x = equations.right;
-    for (std::size_t i = 0; i < terms; ++i) {
-        for (std::size_t j = 0; j < i; ++j) x[i] -= l[i][j] * x[j];
-        x[i] /= l[i][i];
-    }
-    for (std::size_t i = terms; i-- > 0;) {
-        for (std::size_t j = i + 1; j < terms; ++j) x[i] -= l[j][i] * x[j];
-        x[i] /= l[i][i];
-    }
-    return x;
-}
-
-void set_range(const Samples& samples, Regression& regression) {
-    parallel_for(property_count, 1, [&](std::size_t property) {
-        Array<float> sorted(samples.size());
-        for (std::size_t i = 0; i < samples.size(); ++i) sorted[i] = samples.rows[i][property];
-        std::sort(sorted.begin(), sorted.end());
-        const auto end = std::size_t(tail * double(sorted.size()));
-        regression.low[property] = sorted[end];
-        regression.high[property] = sorted[sorted.size() - 1 - end];
-    });
 }
 
 Array<Index> all_of(const Samples& samples) {
@@ -88,11 +37,9 @@ Array<Index> all_of(const Samples& samples) {
 LineModel learned_regression(const Samples& samples) {
     check_samples(samples);
     LineModel model{.kind = LineModel::Kind::regression};
-    set_range(samples, model.regression);
-    Equations equations = equations_of(samples, model.regression);
-    const double weight = equations.products[0][0];
-    for (std::size_t i = 0; i < terms; ++i) equations.products[i][i] += ridge * weight;
-    model.regression.weights = solved(equations);
+    model.regression.range = range_of(samples);
+    const std::vector<double> weights = equations_of(samples, model.regression).solved(ridge);
+    std::ranges::copy(weights, model.regression.weights.begin());
     return model;
 }
 

@@ -9,7 +9,7 @@ namespace fovea::study {
 struct ForestOptions {
     std::size_t trees = most_trees;
     bool random_samples = true;  ///< as many as there are, drawn with replacement; else all
-    TreeOptions tree{.properties = 5};
+    TreeOptions tree{.properties = 5, .slopes = false};
 };
 
 /// Least squares, with so little of a ridge that only terms that others give are decided by it.

@@ -8,14 +8,16 @@
 
 namespace fovea::study {
 
+double PropertyRange::scaled(const PropertyRow& row, std::size_t property) const {
+    const double least = low[property], width = double(high[property]) - least;
+    const double inside = double(std::clamp(row[property], low[property], high[property])) - least;
+    return width > 0.0 ? 2.0 * inside / width - 1.0 : 0.0;
+}
+
 Regression::Terms Regression::terms_of(const PropertyRow& row) const {
     Terms found{};
     found[0] = 1.0;
-    for (std::size_t i = 0; i < property_count; ++i) {
-        const double width = double(high[i]) - double(low[i]);
-        const double inside = double(std::clamp(row[i], low[i], high[i])) - double(low[i]);
-        found[1 + i] = width > 0.0 ? 2.0 * inside / width - 1.0 : 0.0;
-    }
+    for (std::size_t i = 0; i < property_count; ++i) found[1 + i] = range.scaled(row, i);
     std::size_t term = 1 + property_count;
     for (std::size_t i = 1; i <= property_count; ++i)
         for (std::size_t k = i; k <= property_count; ++k) found[term++] = found[i] * found[k];
@@ -35,7 +37,12 @@ double RegressionTree::value(const PropertyRow& row) const {
         const bool above = double(row[std::size_t(node->property)]) >= node->number;
         node = &nodes[node->child + (above ? 1 : 0)];
     }
-    return node->number;
+    double sum = node->number;
+    if (!slopes.empty()) {
+        const auto& slope = slopes[std::size_t(node - nodes.data())];
+        for (std::size_t i = 0; i < property_count; ++i) sum += slope[i] * range.scaled(row, i);
+    }
+    return sum;
 }
 
 double LineModel::probability(const PropertyRow& row) const {

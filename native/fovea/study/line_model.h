@@ -13,14 +13,23 @@
 
 namespace fovea::study {
 
+/// What properties are clamped to, so that no model is asked for what it has not seen.
+struct PropertyRange {
+    PropertyRow low{}, high{};
+
+    /// A property within this, from -1 to 1; 0 where it has one value.
+    double scaled(const PropertyRow& row, std::size_t property) const;
+    bool operator==(const PropertyRange&) const = default;
+};
+
 /// A weighted sum of properties, their squares and their products.
 struct Regression {
     /// One, the properties, and the products of each with itself and those after it.
     static constexpr std::size_t terms = 1 + property_count + property_count * (property_count + 1) / 2;
     using Terms = std::array<double, terms>;
 
-    PropertyRow low{}, high{};  ///< properties are clamped to this, and mapped to -1 to 1
-    Terms weights{};
+    PropertyRange range{};
+    Terms weights{};  ///< of terms of scaled properties
 
     Terms terms_of(const PropertyRow& row) const;
     double value(const PropertyRow& row) const;
@@ -36,6 +45,9 @@ struct RegressionTree {
         bool operator==(const Node&) const = default;
     };
     std::vector<Node> nodes;
+    /// Per node, or none: what is added to a leaf's number for each scaled property.
+    PropertyRange range{};
+    std::vector<std::array<double, property_count>> slopes{};
 
     double value(const PropertyRow& row) const;
     bool operator==(const RegressionTree&) const = default;

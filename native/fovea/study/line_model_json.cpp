@@ -29,6 +29,11 @@ JsonValue numbers(const Numbers& values) {
     return list;
 }
 
+void add(const PropertyRange& range, JsonValue& object) {
+    object.add("low", numbers(range.low));
+    object.add("high", numbers(range.high));
+}
+
 JsonValue told(const RegressionTree& tree) {
     JsonValue property = JsonValue::list(), child = JsonValue::list(), number = JsonValue::list();
     for (const RegressionTree::Node& node : tree.nodes) {
@@ -40,6 +45,12 @@ JsonValue told(const RegressionTree& tree) {
     object.add("property", std::move(property));
     object.add("child", std::move(child));
     object.add("number", std::move(number));
+    if (tree.slopes.empty()) return object;
+    add(tree.range, object);
+    JsonValue slopes = JsonValue::list();
+    for (std::size_t i = 0; i < tree.nodes.size(); ++i)
+        if (tree.nodes[i].property < 0) slopes.items.push_back(numbers(tree.slopes[i]));
+    object.add("slopes", std::move(slopes));
     return object;
 }
 
@@ -57,10 +68,9 @@ double number_of(const JsonValue& value, const std::string& key) {
     return value.number;
 }
 
-/// A list of so many numbers, within the range of single precision.
-std::vector<double> numbers_of(const JsonValue& of, const std::string& key, std::size_t count) {
-    const JsonValue& list = member(of, key, Type::list);
-    if (list.items.size() != count)
+/// The numbers of a list, so many, within the range of single precision.
+std::vector<double> numbers_in(const JsonValue& list, const std::string& key, std::size_t count) {
+    if (list.type != Type::list || list.items.size() != count)
         refuse("'" + key + "' has " + std::to_string(list.items.size()) + " numbers, and " + std::to_string(count) +
                " are needed");
     std::vector<double> found;
@@ -69,6 +79,35 @@ std::vector<double> numbers_of(const JsonValue& of, const std::string& key, std:
         if (!(std::abs(found.back()) <= 1e30)) refuse("'" + key + "' holds a number that is too large");
     }
     return found;
+}
+std::vector<double> numbers_of(const JsonValue& of, const std::string& key, std::size_t count) {
+    return numbers_in(member(of, key, Type::list), key, count);
+}
+
+PropertyRange read_range(const JsonValue& json) {
+    PropertyRange found;
+    const auto low = numbers_of(json, "low", property_count), high = numbers_of(json, "high", property_count);
+    for (std::size_t i = 0; i < property_count; ++i) {
+        if (!(low[i] <= high[i])) refuse("'low' holds a number above that of 'high'");
+        found.low[i] = float(low[i]), found.high[i] = float(high[i]);
+    }
+    return found;
+}
+
+/// What is added at leaves, if a file has that.
+void read_slopes(const JsonValue& json, RegressionTree& tree) {
+    if (!json.at(style::Step("slopes"))) return;
+    tree.range = read_range(json);
+    const JsonValue& slopes = member(json, "slopes", Type::list);
+    const auto leaves = std::ranges::count(tree.nodes, -1, &RegressionTree::Node::property);
+    if (slopes.items.size() != std::size_t(leaves))
+        refuse("'slopes' has " + std::to_string(slopes.items.size()) + " lists, and there are " +
+               std::to_string(leaves) + " leaves");
+    tree.slopes.resize(tree.nodes.size());
+    std::size_t leaf = 0;
+    for (std::size_t i = 0; i < tree.nodes.size(); ++i)
+        if (tree.nodes[i].property < 0)
+            std::ranges::copy(numbers_in(slopes.items[leaf++], "slopes", property_count), tree.slopes[i].begin());
 }
 
 int whole_of(double value, const std::string& key, double least, double most) {
@@ -93,18 +132,13 @@ RegressionTree read_tree(const JsonValue& json) {
             refuse("node " + std::to_string(i) + " of a tree has a child that does not come after it");
         tree.nodes.push_back(node);
     }
+    read_slopes(json, tree);
     return tree;
 }
 
 Regression read_regression(const JsonValue& json) {
-    Regression found;
-    const auto low = numbers_of(json, "low", property_count), high = numbers_of(json, "high", property_count),
-               weights = numbers_of(json, "weights", Regression::terms);
-    for (std::size_t i = 0; i < property_count; ++i) {
-        if (!(low[i] <= high[i])) refuse("'low' holds a number above that of 'high'");
-        found.low[i] = float(low[i]), found.high[i] = float(high[i]);
-    }
-    std::copy(weights.begin(), weights.end(), found.weights.begin());
+    Regression found{.range = read_range(json)};
+    std::ranges::copy(numbers_of(json, "weights", Regression::terms), found.weights.begin());
     return found;
 }
 
@@ -136,8 +170,7 @@ std::string write_model(const LineModel& model) {
     json.add("properties", words());
     if (model.kind == LineModel::Kind::regression) {
         JsonValue regression = JsonValue::object();
-        regression.add("low", numbers(model.regression.low));
-        regression.add("high", numbers(model.regression.high));
+        add(model.regression.range, regression);
         regression.add("weights", numbers(model.regression.weights));
         json.add("regression", std::move(regression));
     } else {

@@ -14,6 +14,7 @@ namespace {
 
 constexpr std::size_t block = 4096;
 constexpr std::uint64_t seed = 1;
+constexpr double tail = 0.01;  // of samples, which are clamped
 
 /// Sum of value(i), in an order that does not depend on the number of threads.
 template <typename Value>
@@ -44,6 +45,19 @@ void check_samples(const Samples& samples) {
     check(least < most,
           "the drawings are the same everywhere on the surfaces: there is nothing to learn from them; "
           "look whether they show this scene");
+}
+
+PropertyRange range_of(const Samples& samples) {
+    PropertyRange found;
+    parallel_for(property_count, 1, [&](std::size_t property) {
+        Array<float> sorted(samples.size());
+        for (std::size_t i = 0; i < samples.size(); ++i) sorted[i] = samples.rows[i][property];
+        std::sort(sorted.begin(), sorted.end());
+        const auto end = std::size_t(tail * double(sorted.size()));
+        found.low[property] = sorted[end];
+        found.high[property] = sorted[sorted.size() - 1 - end];
+    });
+    return found;
 }
 
 Moments moments_of(const Samples& samples) {

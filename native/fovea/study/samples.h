@@ -18,6 +18,9 @@ struct Samples {
 /// that are not positive, or leave nothing to learn, as the target is the same everywhere.
 void check_samples(const Samples& samples);
 
+/// Of each property what all but 1 % of the samples at either end have.
+PropertyRange range_of(const Samples& samples);
+
 /// Weighted mean of the target, and its mean squared deviation from that.
 struct Moments {
     double weight = 0.0, mean = 0.0, variance = 0.0;
