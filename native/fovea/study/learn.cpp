@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <numeric>
-#include <optional>
 #include <random>
 
 #include <fovea/base/parallel.h>
@@ -15,14 +14,14 @@ namespace {
 constexpr double ridge = 1e-10;  // only terms that others give are decided by it
 
 LeastSquares equations_of(const Samples& samples, const Regression& regression) {
-    const auto parts = parallel_parts<std::optional<LeastSquares>>(
-        samples.size(), 16384, [&](std::optional<LeastSquares>& part, std::size_t begin, std::size_t end) {
-            part.emplace(Regression::terms);
+    const auto parts =
+        parallel_parts<LeastSquares>(samples.size(), 16384, [&](LeastSquares& part, auto begin, auto end) {
+            part = LeastSquares(Regression::terms);
             for (std::size_t n = begin; n < end; ++n)
-                part->add(regression.terms_of(samples.rows[n]).data(), samples.target[n], samples.weight[n]);
+                part.add(regression.terms_of(samples.rows[n]).data(), samples.target[n], samples.weight[n]);
         });
     LeastSquares sum(Regression::terms);
-    for (const auto& part : parts) sum.add(*part);
+    for (const LeastSquares& part : parts) sum.add(part);
     return sum;
 }
 
@@ -53,7 +52,7 @@ LineModel learned_tree(const Samples& samples, const TreeOptions& options) {
 LineModel learned_forest(const Samples& samples, const ForestOptions& options) {
     check_samples(samples);
     LineModel model{.kind = LineModel::Kind::forest};
-    model.trees.resize(std::min(options.trees, most_trees));
+    model.trees.resize(std::clamp<std::size_t>(options.trees, 1, most_trees));
     const Binned binned(samples.rows);
     parallel_for(model.trees.size(), 1, [&](std::size_t i) {
         TreeOptions of_tree = options.tree;

@@ -11,7 +11,7 @@ namespace fovea::study {
 /// The normal equations of `terms` terms, of which the first is 1.
 class LeastSquares {
    public:
-    explicit LeastSquares(std::size_t terms) : terms_(terms), products_(terms * terms, 0.0), right_(terms, 0.0) {}
+    explicit LeastSquares(std::size_t terms = 0) : terms_(terms), products_(terms * terms, 0.0), right_(terms, 0.0) {}
 
     /// A value, and the terms whose sum it is to be.
     void add(const double* terms, double value, double weight);
