@@ -56,10 +56,10 @@ JsonValue told(const RegressionTree& tree) {
 
 [[noreturn]] void refuse(const std::string& what) { style::refuse("a model of lines: " + what + remedy); }
 
-const JsonValue& member(const JsonValue& of, const std::string& key, Type type) {
+const JsonValue& member(const JsonValue& of, const char* key, Type type) {
     const JsonValue* found = of.type == Type::object ? of.at(style::Step(key)) : nullptr;
     if (!found || found->type != type)
-        refuse("'" + key + "' is missing, or no " + (type == Type::list ? "list" : "value of its kind"));
+        refuse(std::string("'") + key + "' is missing, or no " + (type == Type::list ? "list" : "value of its kind"));
     return *found;
 }
 
@@ -80,7 +80,7 @@ std::vector<double> numbers_in(const JsonValue& list, const std::string& key, st
     }
     return found;
 }
-std::vector<double> numbers_of(const JsonValue& of, const std::string& key, std::size_t count) {
+std::vector<double> numbers_of(const JsonValue& of, const char* key, std::size_t count) {
     return numbers_in(member(of, key, Type::list), key, count);
 }
 
