@@ -34,7 +34,7 @@ def main(words):
     size = camera.frame_size(bpy.context.scene.render)
     for drawing in drawings:
         size = comparison.frame_for(drawing, size, options.register)
-    judges_of = [comparison.judge_of(drawing, size, options.register, options.tolerance) for drawing in drawings]
+    judges_of = comparison.judges_of(drawings, size, options.register, options.tolerance)
     view, opened = (bpy.context, size, scene_source.seen_by(options.camera)), time.perf_counter()
     try:
         known = [local_properties.of_render(*view)] if model else local_properties.with_judges(*view, judges_of)
