@@ -37,8 +37,8 @@ def save(path):
 
 
 def is_whole(path):
-    """Whether an uncompressed .blend exists and is not truncated: it is a chain of blocks, each with its code and size in
-    its head, up to an empty one at the end of the file. No code begins with 0, as a hole in the file does."""
+    """Whether an uncompressed .blend exists and is not truncated: it is a chain of blocks, each with its code and size
+    in its head, up to an empty one at the end of the file. No code begins with 0, as a hole in the file does."""
     if not path.is_file():
         return False
     data = path.read_bytes()
