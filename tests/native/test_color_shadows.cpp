@@ -8,6 +8,7 @@
 #include <tbb/global_control.h>
 
 #include <fovea/color/layer.h>
+#include <fovea/color/spots.h>
 
 #include "shadows.h"
 
@@ -171,4 +172,42 @@ TEST(ColorShadows, AreTheSameForAnyNumberOfThreads) {
     const Array<vec4> many = drawn();
     tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
     EXPECT_EQ(std::memcmp(many.data(), drawn().data(), many.size() * sizeof(vec4)), 0);
+}
+
+TEST(ColorShadows, SmallSpotsAreOpenAndSmallHolesAreFilled) {
+    constexpr int side = 20;
+    Array<std::uint8_t> black(side * side, 0);
+    const auto fill = [&](int x0, int y0, int x1, int y1, std::uint8_t value) {
+        for (int y = y0; y < y1; ++y)
+            for (int x = x0; x < x1; ++x) black[y * side + x] = value;
+    };
+    fill(2, 2, 4, 4, 1);      // 4 pixels of black
+    fill(8, 2, 16, 10, 1);    // 64
+    fill(11, 5, 13, 7, 0);    // a hole of 4 in them
+    fill(18, 18, 20, 20, 1);  // 4 at the border, of what may be larger
+    const Array<color::Spot> spots = color::small_spots(black, side, 6.0);
+    const auto at = [&](int x, int y) { return spots[y * side + x]; };
+    EXPECT_EQ(at(2, 3), color::Spot::open);
+    EXPECT_EQ(at(1, 1), color::Spot::open) << "beside it";
+    EXPECT_EQ(at(12, 6), color::Spot::filled);
+    EXPECT_EQ(at(10, 4), color::Spot::filled) << "beside it";
+    EXPECT_EQ(at(6, 15), color::Spot::open) << "far from all black";
+    for (const auto& [x, y] : {std::pair(8, 2), std::pair(7, 6), std::pair(19, 19), std::pair(17, 17)})
+        EXPECT_EQ(at(x, y), color::Spot::as_is) << x << " " << y;
+}
+
+TEST(ColorShadows, BlacksOnABallOfFacetsEndWhereThoseOfTheSmoothOneDo) {
+    const dvec3 towards = glm::normalize(dvec3(1.0, 0.3, 0.4));
+    const Above seen({smooth_ball(32, scaled(dvec3(4.0)))}, {sun(towards)}, with(Shading::flat, 0.0, 0.2));
+    const auto full = float(glm::length(towards));  // of the light of a typical place
+    int wrong = 0;
+    for (std::size_t i = 0; i < seen.pixels.size(); ++i) {
+        const dvec2 at = Above::floor(i) / 4.0;
+        const double squared = glm::dot(at, at);
+        if (squared > 0.9) continue;
+        const double tone = glm::dot(dvec3(at, std::sqrt(1.0 - squared)), towards) / full;
+        if (std::abs(tone - 0.2) < 0.02) continue;
+        wrong += (seen.pixels[i] == vec4(0, 0, 0, 1)) != (tone < 0.2);
+    }
+    EXPECT_EQ(wrong, 0);
 }

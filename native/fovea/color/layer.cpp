@@ -8,6 +8,7 @@
 
 #include <fovea/color/shader.h>
 #include <fovea/color/shadows.h>
+#include <fovea/color/spots.h>
 #include <fovea/image/lattice.h>
 #include <fovea/scene/light_view.h>
 #include <fovea/visibility/depth.h>
@@ -20,6 +21,8 @@ constexpr int sample_bits = 4, fine_samples = 1 << sample_bits;
 constexpr float fine_color = 1.0f / 96.0f;
 /// The same of pixels of one triangle, but for bands: in wide penumbras one sample is enough.
 constexpr float fine_shadow = 1.0f / 12.0f;
+/// Of spots of black, in reference pixels, squared: smaller ones are not left, nor are smaller holes.
+constexpr double least_spot = 60.0;
 /// Rays to each light from a fine sample where it differs nearby.
 constexpr int fine_parts = 16;
 
@@ -55,6 +58,7 @@ class Items {
         draw_triangles(raster_target(view, depth_layout(view, {.scale = 1, .margin = 0.0})), meshes, &cancel, draw);
     }
 
+    std::size_t size() const { return items_.size(); }
     Index at(int x, int y) const { return items_[std::size_t(y) * width_ + x]; }
     SeenTriangle triangle(Index item, const ColorShader& shader) const {
         const auto mesh = std::upper_bound(first_.begin(), first_.end(), item) - first_.begin() - 1;
@@ -89,24 +93,13 @@ class Layer {
                 for (std::size_t y = begin; y < end; ++y) pixel(int(y));
             });
         };
-        if (shadows_) {
-            Array<KnownLights> known(coarse.size());
-            rows([&](int y) {
-                each_item(y, [&](int x, const SeenTriangle& triangle) {
-                    const auto place = place_at(triangle, center(x, y), triangle.screen.at(center(x, y)));
-                    known[std::size_t(y) * view_.width + x] = shadows_->sampled(place, x, y);
-                });
-            });
-            known_ = known_around(known, view_.width);
-            black_at_.assign(coarse.size(), 0);
+        if (shadows_) look_around(rows);
+        rows([&](int y) { centers(y, coarse); });
+        if (blacks_ > 0.0f) {
+            const double px = view_.reference_scale;
+            spots_ = small_spots(black_at_, view_.width, least_spot * px * px);
+            rows([&](int y) { centers(y, coarse); });
         }
-        rows([&](int y) {
-            each_item(y, [&](int x, const SeenTriangle& triangle) {
-                const std::size_t i = std::size_t(y) * view_.width + x;
-                coarse[i] = sample(triangle, center(x, y), triangle.screen.at(center(x, y)), i, all_parts);
-                if (shadows_) black_at_[i] = coarse[i] == black_;
-            });
-        });
         rows([&](int y) {
             for (int x = 0; x < view_.width; ++x) {
                 const std::size_t i = std::size_t(y) * view_.width + x;
@@ -117,6 +110,31 @@ class Layer {
     }
 
    private:
+    /// Which lights reach what is seen at the pixels' centers, and around them.
+    template <typename Rows>
+    void look_around(const Rows& rows) {
+        Array<KnownLights> known(items_.size());
+        rows([&](int y) {
+            each_item(y, [&](int x, const SeenTriangle& triangle) {
+                const auto place = place_at(triangle, center(x, y), triangle.screen.at(center(x, y)));
+                known[std::size_t(y) * view_.width + x] = shadows_->sampled(place, x, y);
+            });
+        });
+        known_ = known_around(known, view_.width);
+        black_at_.assign(known.size(), 0);
+    }
+
+    /// Colors at the centers of a row's pixels; once small spots are known, of those that they change.
+    void centers(int y, Array<vec4>& colors) {
+        each_item(y, [&](int x, const SeenTriangle& triangle) {
+            const std::size_t i = std::size_t(y) * view_.width + x;
+            if (!spots_.empty() && (spots_[i] == Spot::as_is || (spots_[i] == Spot::filled) == (black_at_[i] != 0)))
+                return;
+            colors[i] = sample(triangle, center(x, y), triangle.screen.at(center(x, y)), i, all_parts);
+            if (shadows_) black_at_[i] = colors[i] == black_;
+        });
+    }
+
     static dvec2 center(int x, int y) { return {x + 0.5, y + 0.5}; }
 
     /// Calls visit(x, triangle) for each pixel of a row at whose center there is one.
@@ -141,9 +159,15 @@ class Layer {
         if (shader_.holdout(triangle.placement)) return vec4(0.0f);
         Reach reach;
         if (shadows_) reach = shadows_->reach(place_at(triangle, px, share), known_[pixel], parts);
-        if (blacks_ > 0.0f && shader_.tone(triangle, px, share, reach) < blacks_) return black_;
+        if (blacks_ > 0.0f && is_black(triangle, px, share, reach, pixel)) return black_;
         const vec3 color = shader_.color(triangle, px, share, shadows_ ? &reach : nullptr);
         return std::isfinite(color.x + color.y + color.z) ? vec4(color, 1.0f) : vec4(0, 0, 0, 1);
+    }
+
+    bool is_black(const SeenTriangle& triangle, const dvec2& px, const dvec3& share, const Reach& reach,
+                  std::size_t pixel) const {
+        if (spots_.empty() || spots_[pixel] == Spot::as_is) return shader_.tone(triangle, px, share, reach) < blacks_;
+        return spots_[pixel] == Spot::filled;
     }
 
     bool differ(const vec4& a, const vec4& b, float by) const {
@@ -224,6 +248,7 @@ class Layer {
     Items items_;
     Array<KnownLights> known_;      // around each pixel; empty without shadows
     Array<std::uint8_t> black_at_;  // per pixel; empty without shadows
+    Array<Spot> spots_;             // per pixel; empty before they are known
 };
 
 }  // namespace

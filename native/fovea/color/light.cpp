@@ -17,6 +17,9 @@ constexpr float soft_step = 0.012f;
 /// Sine of the height of a light above a surface from which on it counts in full for flat colors.
 constexpr float soft_turn = 0.04f;
 
+/// Where polygons stand for a smooth surface, its normal: shadows end on its light contours, not along facets.
+const vec3& meant(const vec3& normal, const Reach& reach) { return reach.smooth == vec3(0.0f) ? normal : reach.smooth; }
+
 }  // namespace
 
 Lighting::Lighting(In<Light> lights, const vec3& world, const Scene& scene, const View& view, const style::Color& style)
@@ -62,7 +65,7 @@ float Lighting::lit_share(const dvec3& point, const vec3& normal, const Reach& r
     for (std::size_t i = 0; i < lights_.size(); ++i) {
         vec3 to_light(0.0f);
         const float arrives = brightness(arriving(lights_[i], point, to_light));
-        const float away = 1.0f - smooth_step(0.0f, soft_turn, glm::dot(normal, to_light));
+        const float away = 1.0f - smooth_step(0.0f, soft_turn, glm::dot(meant(normal, reach), to_light));
         all += arrives;
         left += arrives * std::min(i < most_casters ? reach.left[i] : 1.0f, 1.0f - shadow_ * away);
     }
@@ -70,7 +73,7 @@ float Lighting::lit_share(const dvec3& point, const vec3& normal, const Reach& r
 }
 
 float Lighting::tone(const dvec3& point, const vec3& normal, const vec3& to_eye, const Reach& reach) const {
-    return brightness(irradiance(point, normal, to_eye, reach.middle));
+    return brightness(irradiance(point, meant(normal, reach), to_eye, reach.middle));
 }
 
 float Lighting::banded(float share) const {

@@ -19,6 +19,7 @@ inline constexpr std::size_t most_casters = 8;
 struct Reach {
     std::array<float, most_casters> left;    ///< of each its share, for colors
     std::array<float, most_casters> middle;  ///< 1: its middle is seen, else 0; for tones
+    vec3 smooth{0.0f};  ///< unit normal, in view space, of the smooth surface that polygons stand for; 0: they do not
 
     Reach() {
         left.fill(1.0f);

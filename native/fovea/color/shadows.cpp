@@ -28,6 +28,7 @@ KnownLights around(const KnownLights* known, int at, int count, std::ptrdiff_t s
 
 Shadows::Shadows(const Tracer& tracer, std::vector<Light> casters, const style::Color& style)
     : view_to_world_(glm::inverse(tracer.view().world_to_view)),
+      world_to_view_(tracer.view().world_to_view),
       strength_(float(style.shadow)),
       blacks_(style.blacks > 0.0),
       shades_(tracer.scene(), std::move(casters)),
@@ -65,6 +66,8 @@ float Shadows::share(std::size_t light, const ShadedPlace& place, int parts) con
 
 Reach Shadows::reach(const ShadedPlace& place, const KnownLights& around, int parts) const {
     Reach reach;
+    // Places of smooth surfaces are on triangles, others on facets.
+    if (place.ignore.across_triangles()) reach.smooth = vec3(world_to_view_ * place.normal);
     for (std::size_t i = 0; i < shades_.count(); ++i) {
         const auto known = [&](LightBits bit) { return around.lit & bit ? 1.0f : 0.0f; };
         const bool differs = around.differ() & of_part(i);

@@ -45,6 +45,7 @@ class Shadows {
     float share(std::size_t light, const ShadedPlace& place, int parts) const;
 
     dmat4 view_to_world_;
+    dmat3 world_to_view_;
     float strength_;
     bool blacks_;
     scene::Shades shades_;
