@@ -6,12 +6,12 @@
 #include <iterator>
 #include <optional>
 
+#include <fovea/color/items.h>
 #include <fovea/color/shader.h>
 #include <fovea/color/shadows.h>
 #include <fovea/color/spots.h>
 #include <fovea/image/lattice.h>
 #include <fovea/scene/light_view.h>
-#include <fovea/visibility/depth.h>
 
 namespace fovea::color {
 namespace {
@@ -23,52 +23,8 @@ constexpr float fine_color = 1.0f / 96.0f;
 constexpr float fine_shadow = 1.0f / 12.0f;
 /// Of spots of black, in reference pixels, squared: smaller ones are not left, nor are smaller holes.
 constexpr double least_spot = 60.0;
-/// Rays to each light from a fine sample where it differs nearby.
-constexpr int fine_parts = 16;
-
-/// Item buffer of occluding triangles: which one is visible at each pixel's center.
-class Items {
-   public:
-    Items(const Scene& scene, const View& view, const Cancel& cancel) : width_(view.width) {
-        const std::vector<RasterMesh> meshes = depth_meshes(scene, view, 0.0);
-        Index total = 0;
-        for (const RasterMesh& mesh : meshes) {
-            first_.push_back(total);
-            total += static_cast<Index>(mesh.triangles.size());
-        }
-        for (const Occluder& occluder : occluders(scene, view, 0.0)) placement_.push_back(occluder.placement);
-        items_.assign(std::size_t(view.width) * view.height, none);
-        Array<float> depths(items_.size());
-        const auto draw = [&](const RasterTriangle& triangle, int y0, int y1) {
-            const Index item = first_[triangle.mesh] + triangle.triangle;
-            const TriangleRows rows(triangle);
-            for (int y = y0; y < y1; ++y) {
-                Index* items = &items_[std::size_t(y) * width_];
-                float* nearest = &depths[std::size_t(y) * width_];
-                const auto in_front = [&](int x, double exact) {
-                    const float depth = static_cast<float>(exact);
-                    return items[x] == none || depth > nearest[x] || (depth == nearest[x] && item < items[x]);
-                };
-                each_texel(rows, y, in_front, [&](int x, double depth) {
-                    items[x] = item;
-                    nearest[x] = static_cast<float>(depth);
-                });
-            }
-        };
-        draw_triangles(raster_target(view, depth_layout(view, {.scale = 1, .margin = 0.0})), meshes, &cancel, draw);
-    }
-
-    std::size_t size() const { return items_.size(); }
-    Index at(int x, int y) const { return items_[std::size_t(y) * width_ + x]; }
-    SeenTriangle triangle(Index item, const ColorShader& shader) const {
-        const auto mesh = std::upper_bound(first_.begin(), first_.end(), item) - first_.begin() - 1;
-        return shader.triangle(placement_[mesh], item - first_[mesh]);
-    }
-
-   private:
-    int width_;
-    Array<Index> items_, first_, placement_;
-};
+/// What parts the colors of a pixel and those around it.
+enum class Edge : std::uint8_t { none, of_triangles, of_shadows };
 
 class Layer {
    public:
@@ -103,7 +59,8 @@ class Layer {
         rows([&](int y) {
             for (int x = 0; x < view_.width; ++x) {
                 const std::size_t i = std::size_t(y) * view_.width + x;
-                fine[i] = at_edge(coarse, x, y) ? finely(x, y) : coarse[i];
+                const Edge edge = edge_at(coarse, x, y);
+                fine[i] = edge == Edge::none ? coarse[i] : finely(x, y, edge);
             }
         });
         return fine;
@@ -115,7 +72,9 @@ class Layer {
     void look_around(const Rows& rows) {
         Array<KnownLights> known(items_.size());
         rows([&](int y) {
+            if (y % first_px != 0) return;
             each_item(y, [&](int x, const SeenTriangle& triangle) {
+                if (x % first_px != 0) return;
                 const auto place = place_at(triangle, center(x, y), triangle.screen.at(center(x, y)));
                 known[std::size_t(y) * view_.width + x] = shadows_->sampled(place, x, y);
             });
@@ -130,7 +89,8 @@ class Layer {
             const std::size_t i = std::size_t(y) * view_.width + x;
             if (!spots_.empty() && (spots_[i] == Spot::as_is || (spots_[i] == Spot::filled) == (black_at_[i] != 0)))
                 return;
-            colors[i] = sample(triangle, center(x, y), triangle.screen.at(center(x, y)), i, all_parts);
+            const dvec3 share = triangle.screen.at(center(x, y));
+            colors[i] = sample(triangle, center(x, y), share, i, reach_at(triangle, center(x, y), share, i, all_parts));
             if (shadows_) black_at_[i] = colors[i] == black_;
         });
     }
@@ -154,11 +114,26 @@ class Layer {
         return shadows_->place(triangle.placement, triangle.triangle, shader_.point(triangle, px, share));
     }
 
-    /// `pixel`: in which the sample is. `parts`: of each light, where it differs around the pixel.
-    vec4 sample(const SeenTriangle& triangle, const dvec2& px, const dvec3& share, std::size_t pixel, int parts) const {
-        if (shader_.holdout(triangle.placement)) return vec4(0.0f);
+    /// What reaches a sample in a pixel. `parts`: of each light, where it differs around the pixel.
+    Reach reach_at(const SeenTriangle& triangle, const dvec2& px, const dvec3& share, std::size_t pixel,
+                   int parts) const {
         Reach reach;
-        if (shadows_) reach = shadows_->reach(place_at(triangle, px, share), known_[pixel], parts);
+        if (!shadows_) return reach;
+        const ShadedPlace place = place_at(triangle, px, share);
+        reach.smooth = shadows_->smooth_normal(place);
+        shadows_->leave(place, known_[pixel], parts, reach);
+        if (asks_for_tone(pixel)) shadows_->see_middles(place, known_[pixel], reach);
+        return reach;
+    }
+
+    bool asks_for_tone(std::size_t pixel) const {
+        return blacks_ > 0.0f && (spots_.empty() || spots_[pixel] == Spot::as_is);
+    }
+
+    /// `pixel`: in which the sample is.
+    vec4 sample(const SeenTriangle& triangle, const dvec2& px, const dvec3& share, std::size_t pixel,
+                const Reach& reach) const {
+        if (shader_.holdout(triangle.placement)) return vec4(0.0f);
         if (blacks_ > 0.0f && is_black(triangle, px, share, reach, pixel)) return black_;
         const vec3 color = shader_.color(triangle, px, share, shadows_ ? &reach : nullptr);
         return std::isfinite(color.x + color.y + color.z) ? vec4(color, 1.0f) : vec4(0, 0, 0, 1);
@@ -185,21 +160,25 @@ class Layer {
         return shader_.shading() == Shading::toon ? fine_color : fine_shadow;
     }
 
-    bool at_edge(const Array<vec4>& coarse, int x, int y) const {
+    Edge edge_at(const Array<vec4>& coarse, int x, int y) const {
         const Index own = items_.at(x, y);
         const std::size_t here = std::size_t(y) * view_.width + x;
+        Edge edge = Edge::none;
         for (int v = std::max(y - 1, 0); v <= std::min(y + 1, view_.height - 1); ++v)
             for (int u = std::max(x - 1, 0); u <= std::min(x + 1, view_.width - 1); ++u) {
                 const std::size_t there = std::size_t(v) * view_.width + u;
-                const float by = items_.at(u, v) != own ? fine_color : same_color(here, there);
-                if (differ(coarse[here], coarse[there], by)) return true;
+                const bool is_other = items_.at(u, v) != own;
+                if (!differ(coarse[here], coarse[there], is_other ? fine_color : same_color(here, there))) continue;
+                if (!is_other) return Edge::of_shadows;
+                edge = Edge::of_triangles;
             }
-        return false;
+        return edge;
     }
 
-    vec4 finely(int x, int y) const {
+    vec4 finely(int x, int y, Edge edge) const {
         std::array<Index, 9> items;
         std::array<SeenTriangle, 9> triangles;
+        std::array<std::optional<Reach>, 9> known;  // of triangles on which shadows have no edge here
         int count = 0;
         for (int v = std::max(y - 1, 0); v <= std::min(y + 1, view_.height - 1); ++v)
             for (int u = std::max(x - 1, 0); u <= std::min(x + 1, view_.width - 1); ++u) {
@@ -211,30 +190,52 @@ class Layer {
             }
         vec4 sum(0.0f);
         const std::size_t pixel = std::size_t(y) * view_.width + x;
-        for (int i = 0; i < fine_samples; ++i)
-            sum += fine_sample(center(x, y) + place_in_square(i, sample_bits), pixel, triangles.data(), count);
+        for (int i = 0; i < fine_samples; ++i) {
+            const dvec2 px = center(x, y) + place_in_square(i, sample_bits);
+            const auto [nearest, share] = nearest_of(px, triangles.data(), count);
+            if (nearest == count) {
+                sum += beyond(px, pixel);
+                continue;
+            }
+            const SeenTriangle& triangle = triangles[nearest];
+            std::optional<Reach>& reach = known[nearest];
+            if (!reach || edge == Edge::of_shadows) {
+                reach = reach_at(triangle, px, share, pixel, few_parts);
+            } else if (shadows_ && asks_for_tone(pixel)) {
+                const ShadedPlace place = place_at(triangle, px, share);
+                reach->smooth = shadows_->smooth_normal(place);
+                shadows_->see_middles(place, known_[pixel], *reach);
+            }
+            sum += sample(triangle, px, share, pixel, *reach);
+        }
         return sum / float(fine_samples);
     }
 
-    vec4 fine_sample(const dvec2& px, std::size_t pixel, const SeenTriangle* triangles, int count) const {
-        const SeenTriangle* nearest = nullptr;
+    /// Which of some triangles is seen at a position, `count`: none, and its barycentrics there.
+    std::pair<int, dvec3> nearest_of(const dvec2& px, const SeenTriangle* triangles, int count) const {
+        int nearest = count;
         double distance = HUGE_VAL;
-        dvec3 share;
+        dvec3 share(0.0);
         for (int i = 0; i < count; ++i) {
             const dvec3 here = triangles[i].screen.at(px);
             if (!ScreenTriangle::covers(here)) continue;
             const double found = triangles[i].screen.distance(here);
             if (found < view_.near_clip || found >= distance) continue;
             if (tracer_.cuts_away(from_pixels(view_, clip_to_view_, px, found))) continue;
-            nearest = &triangles[i];
+            nearest = i;
             distance = found;
             share = here;
         }
-        if (nearest) return sample(*nearest, px, share, pixel, fine_parts);
+        return {nearest, share};
+    }
+
+    /// The color where none of the triangles around the pixel covers the position.
+    vec4 beyond(const dvec2& px, std::size_t pixel) const {
         const auto hit = tracer_.seen(px);
         if (!hit) return vec4(0.0f);
         const SeenTriangle met = shader_.triangle(hit->placement, hit->triangle);
-        return sample(met, px, met.screen.at(px), pixel, fine_parts);
+        const dvec3 share = met.screen.at(px);
+        return sample(met, px, share, pixel, reach_at(met, px, share, pixel, few_parts));
     }
 
     const Tracer& tracer_;

@@ -16,10 +16,13 @@ LightBits of_middle(std::size_t light) { return LightBits(1u << (most_casters + 
 /// One of `parts` of a light, evenly over [-1, 1]^2.
 dvec2 part_of(int part, int parts) { return 2.0 * place_in_square(part, std::countr_zero(unsigned(parts))); }
 
+/// Around a light: corners, then the middles between them.
+constexpr dvec2 rim_of_light[] = {{-1, -1}, {1, 1}, {-1, 1}, {1, -1}, {0, -1}, {0, 1}, {-1, 0}, {1, 0}};
+
 /// Along one axis: `step` apart.
 KnownLights around(const KnownLights* known, int at, int count, std::ptrdiff_t step) {
     KnownLights all;
-    const int first = std::max(at - parts_side / 2, 0), last = std::min(at + parts_side / 2, count - 1);
+    const int first = std::max(at - around_px / 2, 0), last = std::min(at + around_px / 2, count - 1);
     for (int i = first; i <= last; ++i) all |= known[(i - at) * step];
     return all;
 }
@@ -40,12 +43,18 @@ Shadows::Shadows(const Tracer& tracer, std::vector<Light> casters, const style::
     });
 }
 
+vec3 Shadows::smooth_normal(const ShadedPlace& place) const {
+    // Places of smooth surfaces are on triangles, others on facets.
+    return place.ignore.across_triangles() ? vec3(world_to_view_ * place.normal) : vec3(0.0f);
+}
+
 ShadedPlace Shadows::place(Index placement, Index triangle, const dvec3& point) const {
     return surfaces_[placement]->at(triangle, dvec3(view_to_world_ * dvec4(point, 1.0)));
 }
 
 KnownLights Shadows::sampled(const ShadedPlace& place, int x, int y) const {
-    const dvec2 part = part_of(x % parts_side + parts_side * (y % parts_side), all_parts);
+    constexpr int side = around_px / first_px;
+    const dvec2 part = part_of(x / first_px % side + side * (y / first_px % side), few_parts);
     KnownLights known;
     for (std::size_t i = 0; i < shades_.count(); ++i) {
         const bool parted = strength_ > 0.0f && shades_.has_size(i);
@@ -58,30 +67,34 @@ KnownLights Shadows::sampled(const ShadedPlace& place, int x, int y) const {
 }
 
 float Shadows::share(std::size_t light, const ShadedPlace& place, int parts) const {
-    if (!shades_.has_size(light)) parts = 1;
-    int lit = 0;
-    for (int i = 0; i < parts; ++i) lit += shades_.by_part(light, place, part_of(i, parts)) == Shade::lit;
+    const auto is_lit = [&](const dvec2& part) { return shades_.by_part(light, place, part) == Shade::lit; };
+    if (!shades_.has_size(light)) return is_lit(dvec2(0.0)) ? 1.0f : 0.0f;
+    // Where its rim and some more are lit, or dark, all of it is: so most places near penumbras need few rays.
+    const int some = parts / 4, rim = parts == all_parts ? 8 : 4;
+    int lit = 0, looked = 0;
+    for (; looked < rim + some && (lit == 0 || lit == looked); ++looked)
+        lit += is_lit(looked < rim ? rim_of_light[looked] : part_of(looked - rim, some));
+    if (lit == 0 || lit == looked) return lit ? 1.0f : 0.0f;
+    lit = 0;
+    for (int i = 0; i < parts; ++i) lit += is_lit(part_of(i, parts));
     return float(lit) / float(parts);
 }
 
-Reach Shadows::reach(const ShadedPlace& place, const KnownLights& around, int parts) const {
-    Reach reach;
-    // Places of smooth surfaces are on triangles, others on facets.
-    if (place.ignore.across_triangles()) reach.smooth = vec3(world_to_view_ * place.normal);
+void Shadows::leave(const ShadedPlace& place, const KnownLights& around, int parts, Reach& reach) const {
+    if (!(strength_ > 0.0f)) return;
     for (std::size_t i = 0; i < shades_.count(); ++i) {
-        const auto known = [&](LightBits bit) { return around.lit & bit ? 1.0f : 0.0f; };
-        const bool differs = around.differ() & of_part(i);
-        if (strength_ > 0.0f) {
-            const float lit = differs ? share(i, place, parts) : known(of_part(i));
-            reach.left[i] = 1.0f - strength_ * (1.0f - lit);
-        }
-        if (!blacks_) continue;
-        if (around.differ() & of_middle(i))
-            reach.middle[i] = shades_.by(i, place) == Shade::lit ? 1.0f : 0.0f;
-        else
-            reach.middle[i] = known(of_middle(i));
+        const LightBits bit = of_part(i);
+        const float lit = around.is_open(bit) ? share(i, place, parts) : float((around.lit & bit) != 0);
+        reach.left[i] = 1.0f - strength_ * (1.0f - lit);
     }
-    return reach;
+}
+
+void Shadows::see_middles(const ShadedPlace& place, const KnownLights& around, Reach& reach) const {
+    for (std::size_t i = 0; i < shades_.count(); ++i) {
+        const LightBits bit = of_middle(i);
+        const bool lit = around.is_open(bit) ? shades_.by(i, place) == Shade::lit : (around.lit & bit) != 0;
+        reach.middle[i] = lit ? 1.0f : 0.0f;
+    }
 }
 
 Array<KnownLights> known_around(const Array<KnownLights>& known, int width) {

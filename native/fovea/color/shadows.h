@@ -19,14 +19,18 @@ struct KnownLights {
     LightBits lit = 0, dark = 0;
 
     LightBits differ() const { return lit & dark; }
+    /// Whether rays decide: places differ, or there is none.
+    bool is_open(LightBits bit) const { return !(lit & bit) == !(dark & bit); }
     void operator|=(const KnownLights& other) {
         lit |= other.lit;
         dark |= other.dark;
     }
 };
 
-/// How far known_around looks: the pixels of any square of as many on each side take all parts of the lights.
-inline constexpr int parts_side = 8, all_parts = parts_side * parts_side;
+/// Rays to a light in a penumbra, and to one from a sample beside others in the pixel.
+inline constexpr int all_parts = 64, few_parts = 16;
+/// Every second pixel along each axis is looked at first; of any square of around_px, those take few_parts parts.
+inline constexpr int first_px = 2, around_px = 8;
 
 class Shadows {
    public:
@@ -35,11 +39,15 @@ class Shadows {
 
     /// A visible place; `point` in view space.
     ShadedPlace place(Index placement, Index triangle, const dvec3& point) const;
+    /// Its normal in view space if it is on a smooth surface, else 0.
+    vec3 smooth_normal(const ShadedPlace& place) const;
     /// What reaches the place at the center of a pixel, of each light a part that depends on the pixel.
     KnownLights sampled(const ShadedPlace& place, int x, int y) const;
-    /// What reaches a place: of lights that differ around it by rays to so many parts of each (a power of 4), of others
-    /// as is known.
-    Reach reach(const ShadedPlace& place, const KnownLights& around, int parts) const;
+    /// What shadows leave of the lights at a place: of those that differ around it by rays to so many parts of each, of
+    /// others as is known.
+    void leave(const ShadedPlace& place, const KnownLights& around, int parts, Reach& reach) const;
+    /// Which of their middles it sees, alike.
+    void see_middles(const ShadedPlace& place, const KnownLights& around, Reach& reach) const;
 
    private:
     float share(std::size_t light, const ShadedPlace& place, int parts) const;
