@@ -216,6 +216,20 @@ def painted(name, path):
     return scene_in_colors(model, shown, pages.PAINTED_SIZE, path, change=change)
 
 
+def lit(name, path):
+    """(H, W) drawings of a scene in a large sun's light, one over the other, supersampled by 2."""
+    return in_grays(reduce(np.minimum, (in_sun(shown, path) for shown in pages.LIGHT[name])))
+
+
+def in_sun(shown, path):
+    """(H, W) picture of the scene as a pages.Stage."""
+    open_model(pages.SHADOWS[0])
+    for light in bpy.data.lights:
+        light.angle = 0.12
+    picture.render(set_up(shown, pages.LIGHT_SIZE, path), path)
+    return halved(sheet.gray(path))
+
+
 def paint_around_an_eye(scene):
     """A vertex group on the monkey, heavy near its left eye."""
     obj = next(obj for obj in scene.objects if obj.type == "MESH")
@@ -349,8 +363,9 @@ def animation(name, path):
 
 DRAWN_BY = {
     "lines": line, "sections": section, "way": stage, "focus": stage, "strokes": stroke, "painted": painted,
-    "situations": situation, "over": over_render, "transfers": plot, "grease_pencil": pencil, "animation": animation,
-    "compare": overlay, "learn": learned, "gaze": heat, "gauge": gauged, "vectors": of_file, "farm": frames,
+    "light": lit, "situations": situation, "over": over_render, "transfers": plot, "grease_pencil": pencil,
+    "animation": animation, "compare": overlay, "learn": learned, "gaze": heat, "gauge": gauged, "vectors": of_file,
+    "farm": frames,
 }  # fmt: skip
 
 
@@ -405,6 +420,8 @@ def parts(held, part):
     """The property groups of a style that the first part of a setting's name refers to."""
     if part == "pen":
         return [line_set.pen for line_set in held.line_sets]
+    if part == "set":
+        return held.line_sets
     if part == "hidden":
         return [hidden.pen for line_set in held.line_sets for hidden in line_set.hidden]
     return [getattr(held, part)]

@@ -23,6 +23,7 @@ class Lamp(NamedTuple):
     half_y: np.ndarray
     casts: bool
     id: int
+    radius: float
 
 
 def lamp(data, matrix, persistent_id):
@@ -46,4 +47,5 @@ def lamp(data, matrix, persistent_id):
         half_y=matrix[:3, 1] * size[1] / 2,
         casts=data.use_shadow,
         id=int(persistent_id),
+        radius=math.tan(data.angle / 2) if data.type == "SUN" else getattr(data, "shadow_soft_size", 0.0),
     )

@@ -23,6 +23,8 @@ class RENDER_PT_fovea_color(StylePanel, bpy.types.Panel):
         color, drawn = held.color, _drawn(held)
         layout.prop(color, "shading")
         draw_properties(layout, color, ("bands",), color.shading == "TOON")
+        draw_properties(layout, color, ("shadow", "blacks"), drawn)
+        draw_properties(layout, color, ("black_color",), drawn and color.blacks > 0)
         draw_properties(layout, color, ("opacity", "desaturation", "edge_darkening", "backruns", "on_paper"), drawn)
         draw_properties(layout, color, ("background",), drawn and not color.on_paper)
 

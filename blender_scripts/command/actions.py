@@ -4,6 +4,7 @@ exit status."""
 
 import argparse
 import importlib
+import json
 import os
 import shutil
 import sys
@@ -115,7 +116,10 @@ def scene(target, words):
 def bench(target, words):
     """`bench NAME [WORDS]`; if NAME is a scene, `bench peers` for that scene only."""
     name, *rest = words or ["peers"]
-    if by_name := {"lines": bench_lines, "agreement": agreement, "ink": bench_ink, "over": bench_over}.get(name):
+    alone = {
+        "lines": bench_lines, "agreement": agreement, "ink": bench_ink, "over": bench_over, "light": bench_light,
+    }  # fmt: skip
+    if by_name := alone.get(name):
         return by_name(target, rest)
     if name not in ("peers", "visibility", "focus", "coherence", "viewport", "scale"):
         name, rest = "peers", ["--scenes", name, *rest]
@@ -153,6 +157,25 @@ def bench_over(target, words):
     words = words or ["office"]
     engine = [] if "--over" in words else ["--over", "workbench"]
     return bench_by_script(target, "over", "measuring lines over renders of", [*words, *engine])
+
+
+def bench_light(target, words):
+    """Prints as JSON what lines, shade and shadows by light cost, beside Line Art's."""
+    from bench import peers
+
+    parser = argparse.ArgumentParser("fovea bench light")
+    known = "office", "boxes:100"
+    parser.add_argument("--scenes", type=peers.scene_list, default=list(known), metavar="A,B", help=", ".join(known))
+    parser.add_argument("--repeats", type=peers.count, default=3, metavar="N", help="of which medians are taken (3)")
+    parser.add_argument("--size", type=peers.frame_size, default=(1920, 1080), metavar="WxH", help="(1920x1080)")
+    options = parser.parse_args(words)
+    extension.install(target)
+    out = target.work / "light.json"
+    asked = vars(options) | {"out": str(out), "shared": str(shared() or "")}
+    script = PROJECT / "blender_scripts" / "bench" / "light.py"
+    in_blender(target, f"measuring light in {', '.join(options.scenes)}", script, [json.dumps(asked)])
+    print(out.read_text())
+    return 0
 
 
 def bench_by_script(target, name, sentence, words):

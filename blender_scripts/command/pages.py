@@ -77,7 +77,7 @@ class Stage:
     """A picture of a scene as a whole, or of the demo scene at one stage of the method."""
 
     words: tuple  # options of `fovea draw`
-    settings: dict = field(default_factory=dict)  # {PART.NAME: value}; parts "pen", "hidden": those of all line sets
+    settings: dict = field(default_factory=dict)  # {PART.NAME: value}; "pen", "hidden", "set": of all line sets
 
 
 STAGE_SIZE = "560x315"
@@ -184,6 +184,17 @@ PAINTED = {  # what pens take from surfaces -> its scene or model, and how that 
     ),
     "material": ("demo", Stage(("--style", "pen_and_ink", "--without", "colors"), {"pen.paint_color": "MATERIAL"})),
 }
+LIGHT_SIZE = "360x270"
+SHADOWS = LESSON + "shadows", _seen(-40, 28)
+_BY_LIGHT = (*SHADOWS[1], "--style", "plain", "--lines", "contour,smooth_contour,crease,border,cast_shadow")
+LIGHT = {  # what light does -> drawings of one scene, one over the other
+    "weights": (
+        Stage(_BY_LIGHT, {"set.light": "LIT", "pen.width": 4.0}),
+        Stage(_BY_LIGHT, {"set.light": "SHADED", "pen.width": 9.0}),
+    ),
+    "shadow": (Stage(_BY_LIGHT[:-2], {"pen.width": 5.0, "color.shading": "SMOOTH", "color.shadow": 1.0}),),
+    "blacks": (Stage((*SHADOWS[1], "--style", "comic", "--no-elision"), {"color.desaturation": 1.0}),),
+}
 TRANSFERS = {  # plot -> members of a style's Transfer
     "straight": {},
     "start_end": {"start": 0.25, "end": 0.75},
@@ -255,7 +266,7 @@ GAUGE = {  # picture with true gauges -> its model, and how that is drawn
 # Name -> {picture: its description}; each group is a folder of addon/docs.
 GROUPS = {
     "lines": LINES, "sections": SECTIONS, "way": WAY, "focus": FOCUS, "strokes": STROKES, "painted": PAINTED,
-    "situations": SITUATIONS, "over": OVER, "transfers": TRANSFERS, "grease_pencil": GREASE_PENCIL,
+    "light": LIGHT, "situations": SITUATIONS, "over": OVER, "transfers": TRANSFERS, "grease_pencil": GREASE_PENCIL,
     "animation": ANIMATION | FOLLOWING | COMPARED, "compare": COMPARE, "learn": LEARN,
     "gaze": GAZE, "gauge": GAUGE,
     "vectors": VECTORS | TITLED, "farm": FARM,
@@ -271,6 +282,6 @@ def file_of(name):
     """File of a GROUP/PICTURE, relative to addon/docs: PNG for gray pictures, JPEG for others."""
     return (
         f"{name}.png"
-        if name.startswith(("animation/", "learn/", "lines/", "strokes/", "transfers/", "vectors/"))
+        if name.startswith(("animation/", "learn/", "light/", "lines/", "strokes/", "transfers/", "vectors/"))
         else f"{name}.jpg"
     )

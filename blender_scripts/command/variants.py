@@ -6,7 +6,19 @@ AT = ["--focus", "0.4,0.52", "--focus-radii", "0.1,0.7"]
 DENSITY = ["--style", "pen_and_ink", "--effects", "density"]
 LINE_EFFECTS = ("texture", "width", "opacity", "density", "overshoot")
 COLOR_EFFECTS = ("desaturation", "fade", "blur")
-STYLES = ("pen_and_ink", "pencil", "charcoal", "technical", "blueprint", "watercolor", "brush", "xray_focus")
+STYLES = (
+    "pen_and_ink",
+    "pencil",
+    "charcoal",
+    "technical",
+    "blueprint",
+    "watercolor",
+    "brush",
+    "xray_focus",
+    "engraving",
+    "ink_hatching",
+    "comic",
+)
 WATERCOLOR = ["--style", "watercolor", *AT]
 
 

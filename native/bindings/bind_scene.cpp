@@ -56,7 +56,8 @@ std::shared_ptr<Scene> make_scene(const std::vector<std::shared_ptr<Surface>>& s
 }
 
 Light make_light(const py::str& kind, const dvec3& position, const dvec3& direction, const vec3& color, float cos_outer,
-                 float cos_inner, const dvec3& half_x, const dvec3& half_y, bool casts, std::uint64_t id) {
+                 float cos_inner, const dvec3& half_x, const dvec3& half_y, bool casts, std::uint64_t id,
+                 double radius) {
     return {value_from<Light::Kind>(kind, "light: kind"),
             position,
             direction,
@@ -65,6 +66,7 @@ Light make_light(const py::str& kind, const dvec3& position, const dvec3& direct
             cos_inner,
             {half_x, half_y},
             casts,
+            radius,
             id};
 }
 
@@ -126,7 +128,7 @@ void bind_scene(py::module_& m) {
     py::class_<Light>(m, "Light", "A light; see native/fovea/scene/light.h.")
         .def(py::init(&make_light), py::arg("kind"), py::arg("position"), py::arg("direction"), py::arg("color"),
              py::arg("cos_outer") = -1.0f, py::arg("cos_inner") = -1.0f, py::arg("half_x") = dvec3(0.0),
-             py::arg("half_y") = dvec3(0.0), py::arg("casts") = true, py::arg("id") = 0);
+             py::arg("half_y") = dvec3(0.0), py::arg("casts") = true, py::arg("id") = 0, py::arg("radius") = 0.0);
     py::class_<Scene, std::shared_ptr<Scene>>(m, "Scene", "Placements of surfaces: what one frame sees.")
         .def(
             py::init(&make_scene), py::arg("surfaces"), py::arg("surface_of_placement"), py::arg("object_to_world"),

@@ -34,7 +34,8 @@ def model(path):
 
 
 def styled(name):
-    """Round and flat things with the pens of a style, as large as they are in a picture 1080 pixels high."""
+    """Round and flat things with the pens of a style, as large as they are in a picture 1080 pixels high. Those with
+    blacks have a sun."""
     box = new_object(box_mesh(0.8), "Box", (-1.5, 0.4, 0.8))
     box.rotation_euler.z = 0.4
     bpy.ops.mesh.primitive_torus_add(major_segments=96, minor_segments=24, major_radius=0.8, minor_radius=0.35)
@@ -44,6 +45,8 @@ def styled(name):
     new_object(tiles(), "Floor", (0, 0.2, -0.02))
     add_camera((1.5, -7, 3.4), (0.1, 0.1, 0.55)).data.lens = 34 / 4
     frame(4)
+    if part("style").load(name).color.blacks > 0:
+        new_object(bpy.data.lights.new("Sun", "SUN"), "Sun").rotation_euler = (0.75, 0.25, 0.6)
     use_style(bpy.context.scene, name)
 
 

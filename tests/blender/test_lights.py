@@ -64,6 +64,13 @@ def test_lights_are_read_in_world_space():
     assert len({lamp.id for lamp in found.values()}) == 4
 
 
+def test_lights_have_the_size_that_makes_their_shadows_soft():
+    add_light("SUN").data.angle = 0.2
+    add_light("POINT").data.shadow_soft_size = 0.3
+    found = read()
+    assert found["sun"].radius == pytest.approx(math.tan(0.1)) and found["point"].radius == pytest.approx(0.3)
+
+
 def test_the_shadow_of_a_cube_in_the_sun_is_a_square():
     sun = add_light("SUN")
     found = shadows()

@@ -52,6 +52,19 @@ def tell(path):
                 frame = pipeline.frame(placed, seen, style.load(name), native_core.core.CpuBackend(), options)
                 frame.picture()
                 yield f"{scene}, {name}, {method}", native_core.digest(native_core.images(frame.passes()))
+        yield f"{scene}, comic, in the sun", native_core.digest(_in_the_sun(native_core.core, placed, seen))
+
+
+def _in_the_sun(core, placed, seen):
+    """The picture with blacks and soft shadows."""
+    from addon import pipeline, style
+
+    drawn = style.load("comic")
+    drawn = drawn.replace(color=drawn.color.replace(shadow=0.5))
+    sun = core.Light("sun", (0.0, 0.0, 0.0), (-0.55, -0.35, -0.75), (3.0, 3.0, 3.0), radius=0.1)
+    sources = core.ColorSources([None] * len(placed), [sun], (0.25, 0.25, 0.25))
+    picture = pipeline.draw(placed, seen, drawn, core.CpuBackend(), pipeline.options(), colors=sources)
+    return {"combined": picture.combined}
 
 
 def _surfaces(native_core, stored, scene):

@@ -3,14 +3,16 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <optional>
-#include <tuple>
-#include <vector>
 
+#include <fovea/color/items.h>
 #include <fovea/color/shader.h>
+#include <fovea/color/shadows.h>
 #include <fovea/color/sheets.h>
+#include <fovea/color/spots.h>
 #include <fovea/image/lattice.h>
-#include <fovea/visibility/depth.h>
+#include <fovea/scene/light_view.h>
 
 namespace fovea::color {
 namespace {
@@ -18,194 +20,171 @@ namespace {
 constexpr int sample_bits = 4, fine_samples = 1 << sample_bits;
 /// Difference of display colors above which a pixel gets the fine samples.
 constexpr float fine_color = 1.0f / 96.0f;
-
-/// Item buffer of occluding triangles: which one is visible at each pixel's center.
-class Items {
-   public:
-    Items(const Scene& scene, const View& view, const Cancel& cancel) : width_(view.width) {
-        const std::vector<RasterMesh> meshes = depth_meshes(scene, view, 0.0);
-        Index total = 0;
-        for (const RasterMesh& mesh : meshes) {
-            first_.push_back(total);
-            total += static_cast<Index>(mesh.triangles.size());
-        }
-        for (const Occluder& occluder : occluders(scene, view, 0.0)) placement_.push_back(occluder.placement);
-        items_.assign(std::size_t(view.width) * view.height, none);
-        depths_.resize(items_.size());
-        const auto draw = [&](const RasterTriangle& triangle, int y0, int y1) {
-            const Index item = first_[triangle.mesh] + triangle.triangle;
-            const TriangleRows rows(triangle);
-            for (int y = y0; y < y1; ++y) {
-                Index* items = &items_[std::size_t(y) * width_];
-                float* nearest = &depths_[std::size_t(y) * width_];
-                const auto in_front = [&](int x, double exact) {
-                    const float depth = static_cast<float>(exact);
-                    return items[x] == none || depth > nearest[x] || (depth == nearest[x] && item < items[x]);
-                };
-                each_texel(rows, y, in_front, [&](int x, double depth) {
-                    items[x] = item;
-                    nearest[x] = static_cast<float>(depth);
-                });
-            }
-        };
-        draw_triangles(raster_target(view, depth_layout(view, {.scale = 1, .margin = 0.0})), meshes, &cancel, draw);
-    }
-
-    Index at(int x, int y) const { return items_[std::size_t(y) * width_ + x]; }
-    /// Of its triangle, as the depth buffer has it.
-    float depth(int x, int y) const { return depths_[std::size_t(y) * width_ + x]; }
-    SeenTriangle triangle(Index item, const ColorShader& shader) const {
-        const auto mesh = std::upper_bound(first_.begin(), first_.end(), item) - first_.begin() - 1;
-        return shader.triangle(placement_[mesh], item - first_[mesh]);
-    }
-
-   private:
-    int width_;
-    Array<Index> items_, first_, placement_;
-    Array<float> depths_;
-};
+/// The same of pixels of one triangle, but for bands: in wide penumbras one sample is enough.
+constexpr float fine_shadow = 1.0f / 12.0f;
+/// Of spots of black, in reference pixels, squared: smaller ones are not left, nor are smaller holes.
+constexpr double least_spot = 60.0;
+/// What parts the colors of a pixel and those around it.
+enum class Edge : std::uint8_t { none, of_triangles, of_shadows };
 
 class Layer {
    public:
-    Layer(const Tracer& tracer, const ColorShader& shader, const Sheets& sheets, const Cancel& cancel)
+    /// `shadows`: null: the style wants neither shadows nor blacks.
+    Layer(const Tracer& tracer, const ColorShader& shader, const Shadows* shadows, const style::Color& style,
+          const Cancel& cancel)
         : tracer_(tracer),
           view_(tracer.view()),
           clip_to_view_(glm::inverse(view_.view_to_clip)),
           shader_(shader),
-          sheets_(sheets),
+          shadows_(shadows),
+          blacks_(float(style.blacks)),
+          black_(vec3(style.black_color), 1.0f),
           cancel_(cancel),
           items_(tracer.scene(), view_, cancel) {}
 
-    Array<vec4> draw() const {
-        Array<vec4> coarse(std::size_t(view_.width) * view_.height), fine(coarse.size());
+    Array<vec4> draw() {
+        Array<vec4> coarse(std::size_t(view_.width) * view_.height, vec4(0.0f)), fine(coarse.size());
         const auto rows = [&](const auto& pixel) {
             parallel_blocks(view_.height, 4, [&](std::size_t, std::size_t begin, std::size_t end) {
                 cancel_.poll();
                 for (std::size_t y = begin; y < end; ++y) pixel(int(y));
             });
         };
-        rows([&](int y) { centers(y, &coarse[std::size_t(y) * view_.width]); });
+        if (shadows_) look_around(rows);
+        rows([&](int y) { centers(y, coarse); });
+        if (blacks_ > 0.0f) {
+            const double px = view_.reference_scale;
+            spots_ = small_spots(black_at_, view_.width, least_spot * px * px);
+            rows([&](int y) { centers(y, coarse); });
+        }
         rows([&](int y) {
             for (int x = 0; x < view_.width; ++x) {
                 const std::size_t i = std::size_t(y) * view_.width + x;
-                fine[i] = at_edge(coarse, x, y) ? finely(x, y) : coarse[i];
+                const Edge edge = edge_at(coarse, x, y);
+                fine[i] = edge == Edge::none ? coarse[i] : finely(x, y, edge);
             }
         });
         return fine;
     }
 
+    const Items& items() const { return items_; }
+
    private:
-    /// A triangle at a place of the image.
-    struct Met {
-        const SeenTriangle* triangle;
-        dvec3 share;
-        double distance;
-
-        /// Whether both are met on a side, as triangles of one surface are on the side that they share.
-        bool doubles(const Met& other) const {
-            return triangle->placement == other.triangle->placement && on_side() && other.on_side() &&
-                   std::abs(distance - other.distance) <= 1e-6 * distance;
-        }
-        static constexpr double slack = 1e-9;  // of the shares, of their sum
-
-       private:
-        bool on_side() const { return std::min({share.x, share.y, share.z}) <= slack * (share.x + share.y + share.z); }
-    };
-
-    /// The color of what is met there, the nearest first; with alpha, premultiplied.
-    vec4 composite(In<Met> found, const dvec2& px) const {
-        vec4 sum(0.0f);
-        for (std::size_t i = 0; i < found.size(); ++i)
-            if (i == 0 || !is_sheet(*found[i].triangle) || !found[i].doubles(found[i - 1]))
-                sum += (1.0f - sum.a) * sample(*found[i].triangle, px, found[i].share);
-        return sum;
+    /// Which lights reach what is seen at the pixels' centers, and around them.
+    template <typename Rows>
+    void look_around(const Rows& rows) {
+        Array<KnownLights> known(items_.size());
+        rows([&](int y) {
+            if (y % first_px != 0) return;
+            each_item(y, [&](int x, const SeenTriangle& triangle) {
+                if (x % first_px != 0) return;
+                const auto place = place_at(triangle, center(x, y), triangle.screen.at(center(x, y)));
+                known[std::size_t(y) * view_.width + x] = shadows_->sampled(place, x, y);
+            });
+        });
+        known_ = known_around(known, view_.width);
+        black_at_.assign(known.size(), 0);
     }
 
-    void centers(int y, vec4* row) const {
+    /// Colors at the centers of a row's pixels; once small spots are known, of those that they change.
+    void centers(int y, Array<vec4>& colors) {
+        each_item(y, [&](int x, const SeenTriangle& triangle) {
+            const std::size_t i = std::size_t(y) * view_.width + x;
+            if (!spots_.empty() && (spots_[i] == Spot::as_is || (spots_[i] == Spot::filled) == (black_at_[i] != 0)))
+                return;
+            const dvec3 share = triangle.screen.at(center(x, y));
+            colors[i] = sample(triangle, center(x, y), share, i, reach_at(triangle, center(x, y), share, i, all_parts));
+            if (shadows_) black_at_[i] = colors[i] == black_;
+        });
+    }
+
+    static dvec2 center(int x, int y) { return {x + 0.5, y + 0.5}; }
+
+    /// Calls visit(x, triangle) for each pixel of a row at whose center there is one.
+    template <typename Visit>
+    void each_item(int y, const Visit& visit) const {
         SeenTriangle triangle;
         Index known = none;
-        std::vector<Sheets::Fragment> known_sheets;
-        std::vector<SeenTriangle> sheets;
-        std::vector<Met> found;
         for (int x = 0; x < view_.width; ++x) {
             const Index item = items_.at(x, y);
-            const dvec2 px(x + 0.5, y + 0.5);
-            if (item != none && item != known) triangle = items_.triangle(known = item, shader_);
-            const auto at = [&](const SeenTriangle& seen) {
-                const dvec3 share = seen.screen.at(px);
-                return Met{&seen, share, seen.screen.distance(share)};
-            };
-            const In<Sheets::Fragment> before = seen_sheets(x, y);
-            if (sheets.size() < before.size()) {
-                sheets.resize(before.size());
-                known_sheets.resize(before.size(), {-1, none, none, 0.0f});
-            }
-            found.clear();
-            for (std::size_t i = 0; i < before.size(); ++i) {
-                if (!(known_sheets[i] == before[i])) {
-                    known_sheets[i] = before[i];
-                    sheets[i] = sheets_.triangle(before[i], shader_);
-                }
-                found.push_back(at(sheets[i]));
-            }
-            if (item != none) found.push_back(at(triangle));
-            row[x] = composite(found, px);
+            if (item == none) continue;
+            if (item != known) triangle = items_.triangle(known = item, shader_);
+            visit(x, triangle);
         }
     }
 
-    /// The sheets before the nearest occluding triangle at a pixel's center, the nearest first.
-    In<Sheets::Fragment> seen_sheets(int x, int y) const {
-        const In<Sheets::Fragment> all = sheets_.at(x, y);
-        if (items_.at(x, y) == none) return all;
-        const float depth = items_.depth(x, y);
-        const auto behind =
-            std::ranges::find_if(all, [depth](const Sheets::Fragment& f) { return !(f.depth > depth); });
-        return all.first(behind - all.begin());
+    ShadedPlace place_at(const SeenTriangle& triangle, const dvec2& px, const dvec3& share) const {
+        return shadows_->place(triangle.placement, triangle.triangle, shader_.point(triangle, px, share));
     }
 
-    vec4 sample(const SeenTriangle& triangle, const dvec2& px, const dvec3& share) const {
+    /// What reaches a sample in a pixel. `parts`: of each light, where it differs around the pixel.
+    Reach reach_at(const SeenTriangle& triangle, const dvec2& px, const dvec3& share, std::size_t pixel,
+                   int parts) const {
+        Reach reach;
+        if (!shadows_) return reach;
+        const ShadedPlace place = place_at(triangle, px, share);
+        reach.smooth = shadows_->smooth_normal(place);
+        shadows_->leave(place, known_[pixel], parts, reach);
+        if (asks_for_tone(pixel)) shadows_->see_middles(place, known_[pixel], reach);
+        return reach;
+    }
+
+    bool asks_for_tone(std::size_t pixel) const {
+        return blacks_ > 0.0f && (spots_.empty() || spots_[pixel] == Spot::as_is);
+    }
+
+    /// `pixel`: in which the sample is.
+    vec4 sample(const SeenTriangle& triangle, const dvec2& px, const dvec3& share, std::size_t pixel,
+                const Reach& reach) const {
         if (shader_.holdout(triangle.placement)) return vec4(0.0f);
-        const vec3 color = shader_.color(triangle, px, share);
-        const vec4 found = std::isfinite(color.x + color.y + color.z) ? vec4(color, 1.0f) : vec4(0, 0, 0, 1);
-        return is_sheet(triangle) ? triangle.slot->opacity * found : found;
+        if (blacks_ > 0.0f && is_black(triangle, px, share, reach, pixel)) return black_;
+        const vec3 color = shader_.color(triangle, px, share, shadows_ ? &reach : nullptr);
+        return std::isfinite(color.x + color.y + color.z) ? vec4(color, 1.0f) : vec4(0, 0, 0, 1);
     }
 
-    bool is_sheet(const SeenTriangle& triangle) const {
-        return triangle.triangle >= tracer_.scene().placements[triangle.placement].surface->occluding_triangles;
+    bool is_black(const SeenTriangle& triangle, const dvec2& px, const dvec3& share, const Reach& reach,
+                  std::size_t pixel) const {
+        if (spots_.empty() || spots_[pixel] == Spot::as_is) return shader_.tone(triangle, px, share, reach) < blacks_;
+        return spots_[pixel] == Spot::filled;
     }
 
-    bool differ(const vec4& a, const vec4& b) const {
+    bool differ(const vec4& a, const vec4& b, float by) const {
         if (a.a != b.a) return true;
         for (int c = 0; c < 3; ++c)
-            if (std::abs(a[c] - b[c]) > fine_color * (0.1f + a[c] + b[c])) return true;
+            if (std::abs(a[c] - b[c]) > by * (0.1f + a[c] + b[c])) return true;
         return false;
     }
 
-    bool at_edge(const Array<vec4>& coarse, int x, int y) const {
+    /// By how much pixels of one triangle may differ without an edge between them.
+    float same_color(std::size_t a, std::size_t b) const {
+        if (!shadows_) return HUGE_VALF;
+        if (black_at_[a] != black_at_[b]) return 0.0f;
+        if (!known_[a].differ()) return HUGE_VALF;
+        return shader_.shading() == Shading::toon ? fine_color : fine_shadow;
+    }
+
+    Edge edge_at(const Array<vec4>& coarse, int x, int y) const {
         const Index own = items_.at(x, y);
-        const In<Sheets::Fragment> before = seen_sheets(x, y);
-        for (int v = std::max(y - 1, 0); v <= std::min(y + 1, view_.height - 1); ++v)
-            for (int u = std::max(x - 1, 0); u <= std::min(x + 1, view_.width - 1); ++u)
-                if ((items_.at(u, v) != own || (!sheets_.empty() && !std::ranges::equal(before, seen_sheets(u, v)))) &&
-                    differ(coarse[std::size_t(y) * view_.width + x], coarse[std::size_t(v) * view_.width + u]))
-                    return true;
-        return false;
-    }
-
-    vec4 finely(int x, int y) const {
-        std::array<Index, 9> items;
-        std::array<SeenTriangle, 9> triangles;
-        int count = 0;
-        std::vector<Sheets::Fragment> known;
-        std::vector<SeenTriangle> sheets;
-        std::vector<Met> found;
+        const std::size_t here = std::size_t(y) * view_.width + x;
+        Edge edge = Edge::none;
         for (int v = std::max(y - 1, 0); v <= std::min(y + 1, view_.height - 1); ++v)
             for (int u = std::max(x - 1, 0); u <= std::min(x + 1, view_.width - 1); ++u) {
-                for (const Sheets::Fragment& fragment : sheets_.at(u, v)) {
-                    if (std::ranges::find(known, fragment) != known.end()) continue;
-                    known.push_back(fragment);
-                    sheets.push_back(sheets_.triangle(fragment, shader_));
-                }
+                const std::size_t there = std::size_t(v) * view_.width + u;
+                const bool is_other = items_.at(u, v) != own;
+                if (!differ(coarse[here], coarse[there], is_other ? fine_color : same_color(here, there))) continue;
+                if (!is_other) return Edge::of_shadows;
+                edge = Edge::of_triangles;
+            }
+        return edge;
+    }
+
+    vec4 finely(int x, int y, Edge edge) const {
+        std::array<Index, 9> items;
+        std::array<SeenTriangle, 9> triangles;
+        std::array<std::optional<Reach>, 9> known;  // of triangles on which shadows have no edge here
+        int count = 0;
+        for (int v = std::max(y - 1, 0); v <= std::min(y + 1, view_.height - 1); ++v)
+            for (int u = std::max(x - 1, 0); u <= std::min(x + 1, view_.width - 1); ++u) {
                 const Index item = items_.at(u, v);
                 if (item == none || std::find(items.begin(), items.begin() + count, item) != items.begin() + count)
                     continue;
@@ -213,54 +192,67 @@ class Layer {
                 items[count++] = item;
             }
         vec4 sum(0.0f);
-        for (int i = 0; i < fine_samples; ++i)
-            sum += fine_sample(dvec2(x + 0.5, y + 0.5) + place_in_square(i, sample_bits),
-                               In<SeenTriangle>(triangles.data(), count), sheets, found);
+        const std::size_t pixel = std::size_t(y) * view_.width + x;
+        for (int i = 0; i < fine_samples; ++i) {
+            const dvec2 px = center(x, y) + place_in_square(i, sample_bits);
+            const auto [nearest, share] = nearest_of(px, triangles.data(), count);
+            if (nearest == count) {
+                sum += beyond(px, pixel);
+                continue;
+            }
+            const SeenTriangle& triangle = triangles[nearest];
+            std::optional<Reach>& reach = known[nearest];
+            if (!reach || edge == Edge::of_shadows) {
+                reach = reach_at(triangle, px, share, pixel, few_parts);
+            } else if (shadows_ && asks_for_tone(pixel)) {
+                const ShadedPlace place = place_at(triangle, px, share);
+                reach->smooth = shadows_->smooth_normal(place);
+                shadows_->see_middles(place, known_[pixel], *reach);
+            }
+            sum += sample(triangle, px, share, pixel, *reach);
+        }
         return sum / float(fine_samples);
     }
 
-    /// `slack`: of shares outside the triangle, so that nothing is missed between two.
-    std::optional<Met> met(const SeenTriangle& triangle, const dvec2& px, double slack) const {
-        const dvec3 share = triangle.screen.at(px);
-        if (!ScreenTriangle::covers(share + slack * (share.x + share.y + share.z))) return {};
-        const double distance = triangle.screen.distance(share);
-        if (!(distance >= view_.near_clip) || tracer_.cuts_away(from_pixels(view_, clip_to_view_, px, distance)))
-            return {};
-        return Met{&triangle, share, distance};
+    /// Which of some triangles is seen at a position, `count`: none, and its barycentrics there.
+    std::pair<int, dvec3> nearest_of(const dvec2& px, const SeenTriangle* triangles, int count) const {
+        int nearest = count;
+        double distance = HUGE_VAL;
+        dvec3 share(0.0);
+        for (int i = 0; i < count; ++i) {
+            const dvec3 here = triangles[i].screen.at(px);
+            if (!ScreenTriangle::covers(here)) continue;
+            const double found = triangles[i].screen.distance(here);
+            if (found < view_.near_clip || found >= distance) continue;
+            if (tracer_.cuts_away(from_pixels(view_, clip_to_view_, px, found))) continue;
+            nearest = i;
+            distance = found;
+            share = here;
+        }
+        return {nearest, share};
     }
 
-    vec4 fine_sample(const dvec2& px, In<SeenTriangle> triangles, In<SeenTriangle> sheets,
-                     std::vector<Met>& found) const {
-        std::optional<Met> nearest;
-        for (const SeenTriangle& triangle : triangles)
-            if (const auto here = met(triangle, px, 0.0); here && (!nearest || here->distance < nearest->distance))
-                nearest = here;
-        SeenTriangle by_ray;
-        if (!nearest) {
-            if (const auto hit = tracer_.seen(px)) {
-                by_ray = shader_.triangle(hit->placement, hit->triangle);
-                const dvec3 share = by_ray.screen.at(px);
-                nearest = Met{&by_ray, share, by_ray.screen.distance(share)};
-            }
-        }
-        found.clear();
-        for (const SeenTriangle& sheet : sheets)
-            if (const auto here = met(sheet, px, Met::slack); here && !(nearest && nearest->distance <= here->distance))
-                found.push_back(*here);
-        std::ranges::sort(found, {}, [](const Met& m) {
-            return std::tuple(m.distance, m.triangle->placement, m.triangle->triangle);
-        });
-        if (nearest) found.push_back(*nearest);
-        return composite(found, px);
+    /// The color where none of the triangles around the pixel covers the position.
+    vec4 beyond(const dvec2& px, std::size_t pixel) const {
+        const auto hit = tracer_.seen(px);
+        if (!hit) return vec4(0.0f);
+        const SeenTriangle met = shader_.triangle(hit->placement, hit->triangle);
+        const dvec3 share = met.screen.at(px);
+        return sample(met, px, share, pixel, reach_at(met, px, share, pixel, few_parts));
     }
 
     const Tracer& tracer_;
     const View& view_;
     dmat4 clip_to_view_;
     const ColorShader& shader_;
-    const Sheets& sheets_;
+    const Shadows* shadows_;
+    const float blacks_;
+    const vec4 black_;
     const Cancel& cancel_;
     Items items_;
+    Array<KnownLights> known_;      // around each pixel; empty without shadows
+    Array<std::uint8_t> black_at_;  // per pixel; empty without shadows
+    Array<Spot> spots_;             // per pixel; empty before they are known
 };
 
 }  // namespace
@@ -268,10 +260,22 @@ class Layer {
 Array<vec4> color_layer(const Tracer& tracer, const SceneColor& colors, In<Light> lights, const vec3& world,
                         const style::Color& style, const Cancel& cancel) {
     tracer.check_current();
-    const Lighting lighting(lights, world, tracer.scene(), tracer.view(), style);
-    const ColorShader shader(tracer.scene(), tracer.view(), colors, lighting);
-    const Sheets sheets(tracer.scene(), tracer.view(), colors, cancel);
-    return Layer(tracer, shader, sheets, cancel).draw();
+    const bool with_shadows = style.shadow > 0.0 || style.blacks > 0.0;
+    // With shadows, lights that cast them come first.
+    std::vector<Light> ordered;
+    if (with_shadows) ordered = scene::casting_lights(lights, tracer.scene(), lights.size());
+    const std::size_t casting = std::min(ordered.size(), most_casters);
+    std::ranges::copy_if(lights, std::back_inserter(ordered),
+                         [&](const Light& light) { return !with_shadows || !scene::can_cast(light); });
+    const Lighting lighting(ordered, world, tracer.scene(), tracer.view(), style);
+    const ColorShader shader(tracer.scene(), tracer.view(), colors, lighting, with_shadows);
+    std::optional<Shadows> shadows;
+    if (with_shadows)
+        shadows.emplace(tracer, std::vector<Light>(ordered.begin(), ordered.begin() + std::ptrdiff_t(casting)), style);
+    Layer layer(tracer, shader, shadows ? &*shadows : nullptr, style, cancel);
+    Array<vec4> found = layer.draw();
+    put_sheets(tracer, colors, shader, layer.items(), cancel, found);
+    return found;
 }
 
 }  // namespace fovea::color

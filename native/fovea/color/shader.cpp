@@ -41,7 +41,8 @@ vec3 bounded(const vec3& color) {
 
 }  // namespace
 
-ColorShader::ColorShader(const Scene& scene, const View& view, const SceneColor& colors, const Lighting& lighting)
+ColorShader::ColorShader(const Scene& scene, const View& view, const SceneColor& colors, const Lighting& lighting,
+                         bool with_normals)
     : scene_(scene),
       view_(view),
       colors_(colors),
@@ -55,7 +56,7 @@ ColorShader::ColorShader(const Scene& scene, const View& view, const SceneColor&
         placed_[i].object_to_view = view.world_to_view * placement.object_to_world;
         placed_[i].normal_to_view = glm::mat3(glm::transpose(glm::inverse(dmat3(placed_[i].object_to_view))));
         const bool brings_normals = colors[i] && !colors[i]->normals.empty();
-        if (lighting.shading() != Shading::flat && !brings_normals && in_frame(placement, view, 0.0))
+        if ((with_normals || lighting.shading() != Shading::flat) && !brings_normals && in_frame(placement, view, 0.0))
             placed_[i].normals = corner_normals(*placement.surface);
     });
 }
@@ -78,19 +79,28 @@ SeenTriangle ColorShader::triangle(Index placement, Index triangle) const {
     return seen;
 }
 
-template <typename Use>
-auto ColorShader::lit(const SeenTriangle& triangle, const dvec2& px, const dvec3& share, const Use& use) const {
+dvec3 ColorShader::point(const SeenTriangle& triangle, const dvec2& px, const dvec3& share) const {
     const dvec3 ray = pixel_to_ray_ * dvec3(px, 1.0);
     const double distance = triangle.screen.distance(share);
-    const dvec3 point = view_.orthographic ? dvec3(ray.x, ray.y, -distance) : ray * distance;
-    const vec3 to_eye = view_.orthographic ? vec3(0, 0, 1) : vec3(glm::normalize(-ray));
-    return use(point, normal(triangle, normalized(share), to_eye), to_eye);
+    return view_.orthographic ? dvec3(ray.x, ray.y, -distance) : ray * distance;
 }
 
-vec3 ColorShader::color(const SeenTriangle& triangle, const dvec2& px, const dvec3& share) const {
+template <typename Use>
+auto ColorShader::lit(const SeenTriangle& triangle, const dvec2& px, const dvec3& share, const Use& use) const {
+    const vec3 to_eye = view_.orthographic ? vec3(0, 0, 1) : vec3(glm::normalize(-(pixel_to_ray_ * dvec3(px, 1.0))));
+    return use(point(triangle, px, share), normal(triangle, normalized(share), to_eye), to_eye);
+}
+
+vec3 ColorShader::color(const SeenTriangle& triangle, const dvec2& px, const dvec3& share, const Reach* reach) const {
     const vec3 color = bounded(base(triangle, px, normalized(share)));
-    if (lighting_.shading() == Shading::flat || triangle.slot->unlit) return color;
-    return lit(triangle, px, share, [&](const auto&... where) { return bounded(color * lighting_.at(where...)); });
+    if ((lighting_.shading() == Shading::flat && !reach) || triangle.slot->unlit) return color;
+    return lit(triangle, px, share,
+               [&](const auto&... where) { return bounded(color * lighting_.at(where..., reach)); });
+}
+
+float ColorShader::tone(const SeenTriangle& triangle, const dvec2& px, const dvec3& share, const Reach& reach) const {
+    if (triangle.slot->unlit) return 1.0f;
+    return lit(triangle, px, share, [&](const auto&... where) { return lighting_.tone(where..., reach); });
 }
 
 int ColorShader::band(const SeenTriangle& triangle, const dvec2& px, const dvec3& share) const {

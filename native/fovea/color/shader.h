@@ -22,13 +22,20 @@ struct SeenTriangle {
 class ColorShader {
    public:
     /// Borrows its arguments. Throws as check_color, and unless there is one entry of `colors` per placement.
-    ColorShader(const Scene& scene, const View& view, const SceneColor& colors, const Lighting& lighting);
+    /// `with_normals`: also of flat shading, as for tones.
+    ColorShader(const Scene& scene, const View& view, const SceneColor& colors, const Lighting& lighting,
+                bool with_normals = false);
 
     SeenTriangle triangle(Index placement, Index triangle) const;
-    /// Scene-linear; `share` as SeenTriangle::screen.at(px) gives it.
-    vec3 color(const SeenTriangle& triangle, const dvec2& px, const dvec3& share) const;
+    /// Scene-linear; `share` as SeenTriangle::screen.at(px) gives it. `reach`: null without shadows.
+    vec3 color(const SeenTriangle& triangle, const dvec2& px, const dvec3& share, const Reach* reach = nullptr) const;
+    /// Light that arrives there (light.h); of what light does not change, 1.
+    float tone(const SeenTriangle& triangle, const dvec2& px, const dvec3& share, const Reach& reach) const;
+    /// In view space.
+    dvec3 point(const SeenTriangle& triangle, const dvec2& px, const dvec3& share) const;
     /// Number of the band of toon shading there; of other shading, and what light does not change, 0.
     int band(const SeenTriangle& triangle, const dvec2& px, const dvec3& share) const;
+    Shading shading() const { return lighting_.shading(); }
     bool holdout(Index placement) const { return scene_.placements[placement].usage & usage_holdout; }
 
    private:

@@ -3,12 +3,55 @@
 
 #include <algorithm>
 #include <numeric>
+#include <optional>
 #include <tuple>
+#include <vector>
 
+#include <fovea/image/lattice.h>
 #include <fovea/scene/section.h>
-#include <fovea/visibility/depth.h>
 
 namespace fovea::color {
+namespace {
+
+constexpr int sample_bits = 4, fine_samples = 1 << sample_bits;
+/// Difference of colors above which a pixel gets the fine samples.
+constexpr float fine_color = 1.0f / 96.0f;
+
+/// Triangles of see-through surfaces, by the pixels whose centers they cover.
+class Sheets {
+   public:
+    /// Borrows its arguments.
+    Sheets(const Scene& scene, const View& view, const SceneColor& colors, const Cancel& cancel);
+
+    bool empty() const { return sheets_.empty(); }
+
+    struct Fragment {
+        int x;
+        Index sheet, triangle;
+        float depth;  ///< as the depth buffer has it (base/view.h): the nearest is the greatest
+        bool operator==(const Fragment& other) const { return sheet == other.sheet && triangle == other.triangle; }
+    };
+    /// Those of a pixel, the nearest first.
+    In<Fragment> at(int x, int y) const;
+    bool has_row(int y) const { return !rows_[y].first.empty(); }
+    SeenTriangle triangle(const Fragment& fragment, const ColorShader& shader) const;
+
+   private:
+    struct Sheet {
+        Index placement;
+        Array<Triangle> triangles;  // two-sided ones first
+        Array<Index> number;        // of the surface's triangle
+        Index two_sided;
+    };
+    struct Row {
+        std::vector<Fragment> fragments;  // by x, then from the viewer on
+        std::vector<Index> first;         // of each x, and their number; empty without any
+    };
+    void draw(const Scene& scene, const View& view, const Cancel& cancel);
+
+    std::vector<Sheet> sheets_;
+    std::vector<Row> rows_;
+};
 
 Sheets::Sheets(const Scene& scene, const View& view, const SceneColor& colors, const Cancel& cancel) {
     for (Index p = 0; p < scene.placements.size(); ++p) {
@@ -67,7 +110,7 @@ void Sheets::draw(const Scene& scene, const View& view, const Cancel& cancel) {
 }
 
 In<Sheets::Fragment> Sheets::at(int x, int y) const {
-    if (empty() || rows_[y].first.empty()) return {};
+    if (!has_row(y)) return {};
     const Index first = rows_[y].first[x];
     return In<Fragment>(rows_[y].fragments).subspan(first, rows_[y].first[x + 1] - first);
 }
@@ -75,6 +118,192 @@ In<Sheets::Fragment> Sheets::at(int x, int y) const {
 SeenTriangle Sheets::triangle(const Fragment& fragment, const ColorShader& shader) const {
     const Sheet& sheet = sheets_[fragment.sheet];
     return shader.triangle(sheet.placement, sheet.number[fragment.triangle]);
+}
+
+/// A triangle at a place of the image.
+struct Met {
+    const SeenTriangle* triangle;
+    dvec3 share;
+    double distance;
+
+    /// Whether both are met on a side, as triangles of one surface are on the side that they share.
+    bool doubles(const Met& other) const {
+        return triangle->placement == other.triangle->placement && on_side() && other.on_side() &&
+               std::abs(distance - other.distance) <= 1e-6 * distance;
+    }
+    static constexpr double slack = 1e-9;  // of the shares, of their sum
+
+   private:
+    bool on_side() const { return std::min({share.x, share.y, share.z}) <= slack * (share.x + share.y + share.z); }
+};
+
+/// Colors of the sheets alone, premultiplied; their alpha is how much they cover.
+class SheetLayer {
+   public:
+    SheetLayer(const Tracer& tracer, const ColorShader& shader, const Items& items, const Sheets& sheets)
+        : tracer_(tracer),
+          view_(tracer.view()),
+          clip_to_view_(glm::inverse(view_.view_to_clip)),
+          shader_(shader),
+          items_(items),
+          sheets_(sheets) {}
+
+    /// At the centers of a row's pixels.
+    void centers(int y, vec4* row) const {
+        std::vector<Sheets::Fragment> known;
+        std::vector<SeenTriangle> triangles;
+        std::vector<Met> found;
+        for (int x = 0; x < view_.width; ++x) {
+            const dvec2 px(x + 0.5, y + 0.5);
+            const In<Sheets::Fragment> before = seen(x, y);
+            if (triangles.size() < before.size()) {
+                triangles.resize(before.size());
+                known.resize(before.size(), {-1, none, none, 0.0f});
+            }
+            found.clear();
+            for (std::size_t i = 0; i < before.size(); ++i) {
+                if (!(known[i] == before[i])) {
+                    known[i] = before[i];
+                    triangles[i] = sheets_.triangle(before[i], shader_);
+                }
+                const dvec3 share = triangles[i].screen.at(px);
+                found.push_back({&triangles[i], share, triangles[i].screen.distance(share)});
+            }
+            row[x] = composite(found, px);
+        }
+    }
+
+    /// Whether the colors at the centers around a pixel, of triangles others than its own, differ.
+    bool at_edge(const Array<vec4>& centers, int x, int y) const {
+        const vec4& own = centers[std::size_t(y) * view_.width + x];
+        return around(x, y, [&](int u, int v) {
+            const vec4 by = glm::abs(centers[std::size_t(v) * view_.width + u] - own);
+            return std::max({by.r, by.g, by.b, by.a}) > fine_color &&
+                   (items_.at(u, v) != items_.at(x, y) || !std::ranges::equal(sheets_.at(u, v), sheets_.at(x, y)));
+        });
+    }
+
+    /// The mean of the samples of a pixel.
+    vec4 finely(int x, int y) const {
+        std::vector<Index> items;
+        std::vector<Sheets::Fragment> known;
+        std::vector<SeenTriangle> before, triangles;
+        around(x, y, [&](int u, int v) {
+            if (const Index item = items_.at(u, v); item != none && std::ranges::find(items, item) == items.end()) {
+                items.push_back(item);
+                before.push_back(items_.triangle(item, shader_));
+            }
+            for (const Sheets::Fragment& fragment : sheets_.at(u, v)) {
+                if (std::ranges::find(known, fragment) != known.end()) continue;
+                known.push_back(fragment);
+                triangles.push_back(sheets_.triangle(fragment, shader_));
+            }
+            return false;
+        });
+        vec4 sum(0.0f);
+        std::vector<Met> found;
+        for (int i = 0; i < fine_samples; ++i) {
+            const dvec2 px = dvec2(x + 0.5, y + 0.5) + place_in_square(i, sample_bits);
+            found.clear();
+            for (const SeenTriangle& triangle : triangles)
+                if (const auto here = met(triangle, px, Met::slack)) found.push_back(*here);
+            if (found.empty()) continue;
+            const double reach = nearest(before, px);
+            std::erase_if(found, [reach](const Met& sheet) { return sheet.distance >= reach; });
+            std::ranges::sort(found, {}, [](const Met& m) {
+                return std::tuple(m.distance, m.triangle->placement, m.triangle->triangle);
+            });
+            sum += composite(found, px);
+        }
+        return sum / float(fine_samples);
+    }
+
+   private:
+    /// Whether visit(x, y) is true for one of the pixels around a pixel, itself among them; ends with the first.
+    template <typename Visit>
+    bool around(int x, int y, const Visit& visit) const {
+        for (int v = std::max(y - 1, 0); v <= std::min(y + 1, view_.height - 1); ++v)
+            for (int u = std::max(x - 1, 0); u <= std::min(x + 1, view_.width - 1); ++u)
+                if (visit(u, v)) return true;
+        return false;
+    }
+
+    /// The sheets before the nearest occluding triangle at a pixel's center, the nearest first.
+    In<Sheets::Fragment> seen(int x, int y) const {
+        const In<Sheets::Fragment> all = sheets_.at(x, y);
+        if (items_.at(x, y) == none) return all;
+        const float depth = items_.depth(x, y);
+        const auto behind =
+            std::ranges::find_if(all, [depth](const Sheets::Fragment& f) { return !(f.depth > depth); });
+        return all.first(behind - all.begin());
+    }
+
+    /// `slack`: of shares outside the triangle, so that nothing is missed between two.
+    std::optional<Met> met(const SeenTriangle& triangle, const dvec2& px, double slack) const {
+        const dvec3 share = triangle.screen.at(px);
+        if (!ScreenTriangle::covers(share + slack * (share.x + share.y + share.z))) return {};
+        const double distance = triangle.screen.distance(share);
+        if (!(distance >= view_.near_clip) || tracer_.cuts_away(from_pixels(view_, clip_to_view_, px, distance)))
+            return {};
+        return Met{&triangle, share, distance};
+    }
+
+    /// Distance of what occludes at a place, by the triangles around it or by a ray; infinite without any.
+    double nearest(In<SeenTriangle> triangles, const dvec2& px) const {
+        double distance = HUGE_VAL;
+        for (const SeenTriangle& triangle : triangles)
+            if (const auto here = met(triangle, px, 0.0)) distance = std::min(distance, here->distance);
+        if (distance < HUGE_VAL) return distance;
+        const auto hit = tracer_.seen(px);
+        return hit ? hit->t : HUGE_VAL;
+    }
+
+    /// Of what is met there, the nearest first.
+    vec4 composite(In<Met> found, const dvec2& px) const {
+        vec4 sum(0.0f);
+        for (std::size_t i = 0; i < found.size(); ++i) {
+            if (i > 0 && found[i].doubles(found[i - 1])) continue;
+            const SeenTriangle& triangle = *found[i].triangle;
+            const vec3 color = shader_.color(triangle, px, found[i].share);
+            const vec4 whole = std::isfinite(color.x + color.y + color.z) ? vec4(color, 1.0f) : vec4(0, 0, 0, 1);
+            sum += (1.0f - sum.a) * triangle.slot->opacity * whole;
+        }
+        return sum;
+    }
+
+    const Tracer& tracer_;
+    const View& view_;
+    dmat4 clip_to_view_;
+    const ColorShader& shader_;
+    const Items& items_;
+    const Sheets& sheets_;
+};
+
+}  // namespace
+
+void put_sheets(const Tracer& tracer, const SceneColor& colors, const ColorShader& shader, const Items& items,
+                const Cancel& cancel, Array<vec4>& layer) {
+    const View& view = tracer.view();
+    const Sheets sheets(tracer.scene(), view, colors, cancel);
+    if (sheets.empty()) return;
+    const SheetLayer of_sheets(tracer, shader, items, sheets);
+    Array<vec4> centers(layer.size(), vec4(0.0f));
+    const auto rows = [&](const auto& row) {
+        parallel_blocks(view.height, 4, [&](std::size_t, std::size_t begin, std::size_t end) {
+            cancel.poll();
+            for (std::size_t y = begin; y < end; ++y) row(int(y));
+        });
+    };
+    rows([&](int y) {
+        if (sheets.has_row(y)) of_sheets.centers(y, &centers[std::size_t(y) * view.width]);
+    });
+    rows([&](int y) {
+        for (int x = 0; x < view.width; ++x) {
+            const std::size_t i = std::size_t(y) * view.width + x;
+            const vec4 sheet = of_sheets.at_edge(centers, x, y) ? of_sheets.finely(x, y) : centers[i];
+            layer[i] = sheet + (1.0f - sheet.a) * layer[i];
+        }
+    });
 }
 
 }  // namespace fovea::color

@@ -16,7 +16,9 @@ struct Light {
     float cos_inner = -1.0f;    ///< and at which it begins to fall off
     dvec3 half_side[2] = {dvec3(0.0), dvec3(0.0)};  ///< world: of an area, from its center to the middles of two sides
     bool casts = true;                              ///< what it shines on casts a shadow
-    std::uint64_t id = 0;                           ///< persistent, from which line ids are hashed
+    /// Of a point or spot its radius, of a sun the tangent of half the angle that it is seen under: for soft shadows.
+    double radius = 0.0;
+    std::uint64_t id = 0;  ///< persistent, from which line ids are hashed
 };
 
 }  // namespace fovea::scene

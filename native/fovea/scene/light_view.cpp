@@ -36,13 +36,6 @@ Sphere around(const std::vector<Sphere>& spheres) {
     return {0.5 * (low + high), 0.5 * glm::distance(low, high)};
 }
 
-bool usable(const Light& light) {
-    const dvec3 sum = light.position + light.direction + light.half_side[0] + light.half_side[1];
-    const float shines = light.color.x + light.color.y + light.color.z;
-    return std::isfinite(sum.x + sum.y + sum.z) && glm::length(light.direction) > 0.0 && shines > 0.0f &&
-           std::isfinite(shines);
-}
-
 double irradiance(const Light& light, const dvec3& at) {
     const double shines = light.color.x + light.color.y + light.color.z;
     const dvec3 way = at - light.position;
@@ -83,15 +76,26 @@ double step_of(const Scene& scene) {
     return std::min(middle->radius / 16.0, 0x1p-9 * around(spheres).radius);
 }
 
-std::vector<Light> casting_lights(const Scene& scene, std::size_t most, bool corners) {
+bool can_cast(const Light& light) {
+    const dvec3 sum = light.position + light.direction + light.half_side[0] + light.half_side[1];
+    const float shines = light.color.x + light.color.y + light.color.z;
+    return light.casts && std::isfinite(sum.x + sum.y + sum.z) && glm::length(light.direction) > 0.0 && shines > 0.0f &&
+           std::isfinite(shines);
+}
+
+std::vector<Light> casting_lights(In<Light> of, const Scene& scene, std::size_t most) {
     std::vector<Light> lights;
-    std::ranges::copy_if(scene.lights, std::back_inserter(lights),
-                         [](const Light& light) { return light.casts && usable(light); });
+    std::ranges::copy_if(of, std::back_inserter(lights), can_cast);
     const dvec3 middle = around(spheres_of(scene)).center;
     std::ranges::stable_sort(
         lights, [&](const Light& a, const Light& b) { return irradiance(a, middle) > irradiance(b, middle); });
     if (lights.size() > most) lights.resize(most);
     for (Light& light : lights) light.direction = glm::normalize(light.direction);
+    return lights;
+}
+
+std::vector<Light> casting_lights(const Scene& scene, std::size_t most, bool corners) {
+    const std::vector<Light> lights = casting_lights(scene.lights, scene, most);
     if (!corners) return lights;
     std::vector<Light> with;
     for (const Light& light : lights) {

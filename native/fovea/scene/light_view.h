@@ -22,6 +22,11 @@ double step_of(const Scene& scene);
 /// their centers; with `corners` their corners follow, as four points.
 std::vector<Light> casting_lights(const Scene& scene, std::size_t most, bool corners);
 
+/// Whether it shines from somewhere, and casts shadows.
+bool can_cast(const Light& light);
+/// The same of given lights, without corners.
+std::vector<Light> casting_lights(In<Light> lights, const Scene& scene, std::size_t most);
+
 /// Cosine of the angle to a light's direction beyond which it does not shine.
 inline double cone_of(const Light& light) {
     return light.kind == Light::spot ? light.cos_outer : light.kind == Light::area ? 0.0 : -1.0;

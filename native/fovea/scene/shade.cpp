@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/gtc/constants.hpp>
 
+#include <fovea/base/elementary.h>
 #include <fovea/base/parallel.h>
 #include <fovea/field/shape.h>
 #include <fovea/scene/light_view.h>
@@ -40,6 +42,24 @@ double bend_along(const std::array<dvec3, 3>& corner, const std::array<dvec3, 3>
 dvec3 unit_or_zero(const dvec3& v) {
     const double length = glm::length(v);
     return length > 0.0 ? v / length : dvec3(0.0);
+}
+
+/// The axis that is the most across a way.
+dvec3 least_axis(const dvec3& way) {
+    const dvec3 size = glm::abs(way);
+    if (size.x <= size.y && size.x <= size.z) return {1, 0, 0};
+    return size.y <= size.z ? dvec3(0, 1, 0) : dvec3(0, 0, 1);
+}
+
+/// The square [-1, 1]^2 taken into the unit disk. Shirley & Chiu, "A Low Distortion Map Between Disk and Square",
+/// JGT 1997.
+dvec2 in_disk(const dvec2& square) {
+    const bool flat = std::abs(square.x) > std::abs(square.y);
+    const double radius = flat ? square.x : square.y, other = flat ? square.y : square.x;
+    if (radius == 0.0) return dvec2(0.0);
+    const double angle = glm::quarter_pi<double>() * other / radius;
+    const dvec2 turned = radius * dvec2(base::cosine(angle), base::sine(angle));
+    return flat ? turned : dvec2(turned.y, turned.x);
 }
 
 }  // namespace
@@ -108,28 +128,58 @@ ShadedPlace ShadedSurface::at(Index triangle, const dvec3& point, bool contour) 
     return {point + (lift_ + std::max(height, 0.0)) * mean, mean, {.placement = placement_, .around = vertices}};
 }
 
-Shades::Shades(const Scene& scene, std::size_t most) : lights_(casting_lights(scene, most, false)) {
+Shades::Shades(const Scene& scene, std::size_t most) : Shades(scene, casting_lights(scene, most, false)) {}
+
+Shades::Shades(const Scene& scene, std::vector<Light> lights) : lights_(std::move(lights)) {
     for (const Light& light : lights_)
         tracers_.push_back(std::make_unique<const Tracer>(scene, view_from(light, scene)));
 }
 
-Shade Shades::by(std::size_t number, const ShadedPlace& place) const {
+bool Shades::has_size(std::size_t number) const {
+    const Light& light = lights_[number];
+    if (light.kind != Light::area) return light.radius > 0.0 && std::isfinite(light.radius);
+    return light.half_side[0] != dvec3(0.0) || light.half_side[1] != dvec3(0.0);
+}
+
+dvec3 Shades::moved_to(std::size_t number, const dvec3& seen, const dvec2& part) const {
+    const Light& light = lights_[number];
+    const View& view = tracers_[number]->view();
+    if (light.kind == Light::area)
+        return dmat3(view.world_to_view) * (part.x * light.half_side[0] + part.y * light.half_side[1]);
+    const dvec2 flat = light.radius * in_disk(part);
+    if (view.orthographic) return {flat, 0.0};
+    const dvec3 way = unit_or_zero(seen), right = unit_or_zero(glm::cross(way, least_axis(way)));
+    return flat.x * right + flat.y * glm::cross(right, way);
+}
+
+Shade Shades::by(std::size_t number, const ShadedPlace& place) const { return by(number, place, dvec3(0.0)); }
+
+Shade Shades::by_part(std::size_t number, const ShadedPlace& place, const dvec2& part) const {
+    if (!has_size(number)) return by(number, place);
+    const dvec3 seen(tracers_[number]->view().world_to_view * dvec4(place.point, 1.0));
+    return by(number, place, moved_to(number, seen, part));
+}
+
+Shade Shades::by(std::size_t number, const ShadedPlace& place, const dvec3& moved) const {
     const Light& light = lights_[number];
     const Tracer& tracer = *tracers_[number];
     const dmat4& to_light = tracer.view().world_to_view;
     const dvec3 seen(to_light * dvec4(place.point, 1.0));
     const bool of_sun = tracer.view().orthographic;
-    const double distance = glm::length(seen);
-    if (!std::isfinite(distance)) return Shade::cast;
+    const dvec3 sun = glm::normalize(dvec3(0, 0, 1) + moved), from_light = of_sun ? -sun : seen - moved;
+    const double distance = of_sun ? 1.0 : glm::length(from_light);
+    if (!std::isfinite(distance + glm::length(seen))) return Shade::cast;
     if (place.normal != dvec3(0.0)) {
-        const dvec3 towards = of_sun ? dvec3(0, 0, 1) : -seen / std::max(distance, 1e-300);
+        const dvec3 towards = of_sun ? sun : -from_light / std::max(distance, 1e-300);
         if (glm::dot(dmat3(to_light) * place.normal, towards) <= along_surface) return Shade::attached;
     }
     const double cone = cone_of(light);
-    if (cone > -1.0 && glm::dot(seen, light.direction) < cone * distance) return Shade::cast;
+    if (cone > -1.0 && glm::dot(from_light, light.direction) < cone * distance) return Shade::cast;
     // What is on no facet may lie on others.
     const double before = place.normal == dvec3(0.0) ? 1.0 - ray_margin : 1.0;
-    const std::optional<Hit> hit = tracer.along(seen, place.ignore);
+    const std::optional<Hit> hit =
+        moved == dvec3(0.0) ? tracer.along(seen, place.ignore)
+                            : tracer.between(of_sun ? seen - seen.z / sun.z * sun : moved, seen, place.ignore);
     return hit && hit->t < before ? Shade::cast : Shade::lit;
 }
 

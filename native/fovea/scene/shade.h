@@ -69,6 +69,8 @@ class ShadedSurface {
 class Shades {
    public:
     explicit Shades(const Scene& scene, std::size_t most = most_lights);
+    /// Those of casting_lights.
+    Shades(const Scene& scene, std::vector<Light> lights);
 
     /// Lights, the strongest first.
     std::size_t count() const { return lights_.size(); }
@@ -76,6 +78,11 @@ class Shades {
 
     /// What one light does to a place.
     Shade by(std::size_t light, const ShadedPlace& place) const;
+    /// What a part of it does: of an area at this share of its half sides, each in [-1, 1]; of points, spots and suns
+    /// on the disk that is seen of them, into which the square is taken evenly.
+    Shade by_part(std::size_t light, const ShadedPlace& place, const dvec2& part) const;
+    /// Whether parts of a light differ.
+    bool has_size(std::size_t light) const;
     /// What all do: lit if one of them shines on it, or there is none; else in cast shadow if one would but for what is
     /// between; else in attached shadow.
     Shade at(const ShadedPlace& place) const;
@@ -85,6 +92,10 @@ class Shades {
    private:
     std::vector<Light> lights_;
     std::vector<std::unique_ptr<const Tracer>> tracers_;  // per light, which is their eye
+
+    /// `moved`: from the eye, in the view of the light; of a sun from the direction to it.
+    Shade by(std::size_t light, const ShadedPlace& place, const dvec3& moved) const;
+    dvec3 moved_to(std::size_t light, const dvec3& seen, const dvec2& part) const;
 };
 
 }  // namespace fovea::scene

@@ -74,6 +74,10 @@ std::optional<Hit> Tracer::along(const dvec3& point, const Ignore& ignore, doubl
     return nearest(behind_section({eye, point - eye, near_t, infinity}), ignore);
 }
 
+std::optional<Hit> Tracer::between(const dvec3& origin, const dvec3& point, const Ignore& ignore) const {
+    return nearest(behind_section({origin, point - origin, 0.0, 1.0}), ignore);
+}
+
 Ray Tracer::ray_beyond(const vec3& point) const {
     constexpr float infinity = std::numeric_limits<float>::infinity();
     if (view_.orthographic) {

@@ -110,6 +110,9 @@ class Tracer {
     /// the point. In double precision.
     std::optional<Hit> along(const dvec3& point, const Ignore& ignore, double near_t = 0.0) const;
 
+    /// The surface nearest to `origin` on the way from there to `point`, wherever both are. In double precision.
+    std::optional<Hit> between(const dvec3& origin, const dvec3& point, const Ignore& ignore) const;
+
     /// The nearest surface beyond `point` on the ray from the eye through it.
     std::optional<Hit> behind(const vec3& point, const Ignore& ignore) const;
 

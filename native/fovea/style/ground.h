@@ -58,6 +58,9 @@ struct Color {
     int bands = 3;
     double opacity = 1.0;
     double desaturation = 0.0;  ///< in addition to that of focus
+    double shadow = 0.0;
+    double blacks = 0.0;
+    dvec3 black_color{0.0};
     double edge_darkening = 0.0;
     double backruns = 0.0;
     std::optional<dvec3> background;  ///< color behind the layer; unset: the paper
@@ -69,6 +72,12 @@ struct Color {
         Field{"bands", &Color::bands, "Bands", "Number of tones of toon shading", number(2, 16, 16)},
         Field{"opacity", &Color::opacity, "Opacity", "How much of the paper the colors cover", share},
         Field{"desaturation", &Color::desaturation, "Desaturation", "How gray colors are everywhere", share},
+        Field{"shadow", &Color::shadow, "Shadow",
+              "How much of the light of those lights is gone that do not reach a place", share},
+        Field{"blacks", &Color::blacks, "Blacks",
+              "Tone below which colors are filled with black: 1 is full light, 0 is none, by lights and their shadows",
+              share},
+        Field{"black_color", &Color::black_color, "Black Color", "Color of what is filled with black", light},
         Field{"edge_darkening", &Color::edge_darkening, "Edge Darkening",
               "How much darker washes dry along their edges, where the water carries their pigment", share},
         Field{"backruns", &Color::backruns, "Backruns",

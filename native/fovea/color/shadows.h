@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which lights reach what is seen of a scene, by rays: the shadows of the color layer.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include <fovea/color/light.h>
+#include <fovea/scene/shade.h>
+#include <fovea/scene/tracer.h>
+
+namespace fovea::color {
+
+/// Of each light two bits: the lower ones for a part of it, the upper ones for its middle.
+using LightBits = std::uint16_t;
+
+/// Which lights shine on places, and which do not. Both are 0 where there is none.
+struct KnownLights {
+    LightBits lit = 0, dark = 0;
+
+    LightBits differ() const { return lit & dark; }
+    /// Whether rays decide: places differ, or there is none.
+    bool is_open(LightBits bit) const { return !(lit & bit) == !(dark & bit); }
+    void operator|=(const KnownLights& other) {
+        lit |= other.lit;
+        dark |= other.dark;
+    }
+};
+
+/// Rays to a light in a penumbra, and to one from a sample beside others in the pixel.
+inline constexpr int all_parts = 64, few_parts = 16;
+/// Every second pixel along each axis is looked at first; of any square of around_px, those take few_parts parts.
+inline constexpr int first_px = 2, around_px = 8;
+
+class Shadows {
+   public:
+    /// `casters`: of casting_lights, at most most_casters. The tracer must outlive it.
+    Shadows(const Tracer& tracer, std::vector<Light> casters, const style::Color& style);
+
+    /// A visible place; `point` in view space.
+    ShadedPlace place(Index placement, Index triangle, const dvec3& point) const;
+    /// Its normal in view space if it is on a smooth surface, else 0.
+    vec3 smooth_normal(const ShadedPlace& place) const;
+    /// What reaches the place at the center of a pixel, of each light a part that depends on the pixel.
+    KnownLights sampled(const ShadedPlace& place, int x, int y) const;
+    /// What shadows leave of the lights at a place: of those that differ around it by rays to so many parts of each, of
+    /// others as is known.
+    void leave(const ShadedPlace& place, const KnownLights& around, int parts, Reach& reach) const;
+    /// Which of their middles it sees, alike.
+    void see_middles(const ShadedPlace& place, const KnownLights& around, Reach& reach) const;
+
+   private:
+    float share(std::size_t light, const ShadedPlace& place, int parts) const;
+
+    dmat4 view_to_world_;
+    dmat3 world_to_view_;
+    float strength_;
+    bool blacks_;
+    scene::Shades shades_;
+    std::vector<std::unique_ptr<const scene::ShadedSurface>> surfaces_;  // per placement; null: outside of the frame
+};
+
+/// What is known around each pixel, of what is known at all (width * height).
+Array<KnownLights> known_around(const Array<KnownLights>& known, int width);
+
+}  // namespace fovea::color
