@@ -17,12 +17,12 @@ def of_render(context, size, seen_by=None):
 
 def with_judges(context, size, seen_by, judges_of):
     """(native LocalProperties, Bitmaps of drawings, Bitmap of the scene's outlines) of the same. `judges_of`: as
-    comparison.judge_of gives them, one for each drawing."""
+    comparison.judges_of gives it."""
 
     def take(engine, depsgraph):
         properties, base = _properties(engine, depsgraph), style.load(OUTLINES_OF)
         outlines = fitted_style.drawn_outlines(style_fit.drawer(engine, depsgraph, base), size, base)
-        return properties, [judge_of(lambda: outlines) for judge_of in judges_of], outlines
+        return properties, [laid.bitmap for laid in judges_of(lambda: outlines)], outlines
 
     return as_rendered.look(context, take, definition_strengths.prepared(size, seen_by))
 

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from the_addon import part
 
+Laid = part("registered_drawing").Laid
 fitted_style, learned_lines, native, style = (
     part(name) for name in ("fitted_style", "learned_lines", "native", "style")
 )
@@ -42,7 +43,7 @@ def drawing(thresholds=ARTIST):
 
 def test_what_is_learned_from_a_drawing_draws_the_scene_much_like_it_and_from_elsewhere_too(monkey):
     judge = drawing()
-    properties, judges, outlines = local_properties.with_judges(bpy.context, SIZE, None, [lambda _: judge])
+    properties, judges, outlines = local_properties.with_judges(bpy.context, SIZE, None, lambda _: [Laid(judge)])
     assert judges == [judge] and properties.known.shape == SIZE[::-1]
     learned = learned_lines.learn(properties, judges, "forest", outlines=outlines)
     assert learned.found["auc"] > 0.9 and learned.found["f1"] > 0.8, learned.found
@@ -56,11 +57,11 @@ def test_what_is_learned_from_a_drawing_draws_the_scene_much_like_it_and_from_el
 def test_scans_are_registered_over_the_outlines_of_the_scene(monkey):
     asked = []
 
-    def judge_of(reference):
+    def judges_of(reference):
         asked.append(reference())
-        return asked[0]
+        return [Laid(asked[0])]
 
-    *_, found = local_properties.with_judges(bpy.context, SIZE, None, [judge_of])
+    *_, found = local_properties.with_judges(bpy.context, SIZE, None, judges_of)
     assert found is asked[0]
     outlines = drawing(dict.fromkeys(fitted_style.outlines_of(style.load("plain")), 1.0))
     assert asked[0].measures(outlines, 0.0)["f1"] == 1.0

@@ -71,7 +71,8 @@ TEST(Color, BrokenInputHasAPicture) {
     const Tracer tracer(scene, perspective({5, -4, 3}, {0, 0, 0}, 50.0, 64, 48));
     const float nan = std::numeric_limits<float>::quiet_NaN();
     auto broken = std::make_shared<SurfaceColor>();
-    broken->slots = {{.color = vec3(nan), .texture = {}, .uv = none, .attribute = none, .unlit = false, .opacity = 0.0f}};
+    broken->slots = {
+        {.color = vec3(nan), .texture = {}, .uv = none, .attribute = none, .unlit = false, .opacity = 0.0f}};
     const Light lights[] = {{.kind = Light::point, .position = dvec3(0.0), .color = vec3(nan)},
                             {.kind = Light::spot, .position = dvec3(0.0), .direction = dvec3(0.0)}};
     const SceneColor colors{broken, nullptr};
