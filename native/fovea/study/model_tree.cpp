@@ -81,7 +81,8 @@ std::vector<Index> left_of(const RegressionTree& tree, const std::vector<Known>&
     std::vector<Index> left{0};
     for (std::size_t next = 0; next < left.size(); ++next) {
         const Index at = left[next];
-        if (!known[at].leaf) left.insert(left.end(), {tree.nodes[at].child, tree.nodes[at].child + 1});
+        if (known[at].leaf) continue;
+        for (const Index side : {0u, 1u}) left.push_back(tree.nodes[at].child + side);
     }
     return left;
 }
