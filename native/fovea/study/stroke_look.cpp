@@ -20,6 +20,7 @@ namespace {
 constexpr int along = 8;             // [px] how far along a stroke its darkness is looked for
 constexpr std::size_t darkest = 2;   // of the pixels there: the third one, in case of dust
 constexpr int direction_within = 4;  // [px]
+constexpr float wide = 3.0f;         // [px] from which on the middle of a stroke is ink throughout
 constexpr float step = 0.25f;        // [px] across strokes
 constexpr float farthest = 0.1f;     // of the diagonal: half a stroke's width at most
 constexpr float end = 0.06f,
@@ -148,7 +149,10 @@ StrokeLooks looks_of(const color::GrayImage& picture, const Bitmap& lines) {
         if (widths[i] > 0.0f) {
             looks.pixel.push_back(pixels[i]);
             looks.width.push_back(widths[i]);
-            looks.darkness.push_back(is_dark ? NAN : std::min(1.0f, light_inks[i]));
+            // Where strokes cross they are darker: what is nearby counts for narrow ones alone.
+            const int x = int(pixels[i] % Index(lines.width)), y = int(pixels[i] / Index(lines.width));
+            const float ink = widths[i] < wide ? light_inks[i] : of_light.at(x, y);
+            looks.darkness.push_back(is_dark ? NAN : std::min(1.0f, ink));
         }
     return looks;
 }
