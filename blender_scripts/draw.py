@@ -24,10 +24,7 @@ from command import draw_options, model_files
 
 def main(words):
     options = draw_options.parse(words)
-    scene_source.open_scene(options.scene)
-    scene = bpy.context.scene
-    set_size(scene, options)
-    set_camera(scene, options)
+    scene = opened(options)
     drawing_settings.set_drawing(scene, options)
     set_output(scene, options)
     if options.over:
@@ -40,6 +37,15 @@ def main(words):
         sheet.render(scene, catalogue.definitions(), options.output)
     else:
         render(scene, options)
+
+
+def opened(options):
+    """The scene of draw's options, opened, with the size and the camera that they ask for."""
+    scene_source.open_scene(options.scene)
+    scene = bpy.context.scene
+    set_size(scene, options)
+    set_camera(scene, options)
+    return scene
 
 
 def set_size(scene, options):

@@ -26,11 +26,7 @@ def main(words):
     options, start = fit.parse(words[1:]), time.perf_counter()
     drawings, base = [comparison.read(path) for path in options.drawings], style.named(options.style)
     names = catalogue.named(options.lines) if options.lines else fitted_style.names_of(base)
-    scene_source.open_scene(options.scene)
-    of_draw = draw_options.parse([options.scene])
-    scene = bpy.context.scene
-    draw.set_size(scene, of_draw)
-    draw.set_camera(scene, of_draw)
+    scene = draw.opened(draw_options.parse([options.scene]))
     size = comparison.frame_for(drawings, camera.frame_size(scene.render), options.register)
     tolerance = comparison.tolerance_in(drawings, size, options.register, compare.tolerance_of(comparison, options))
     judges_of = comparison.judges_of(drawings, size, options.register, tolerance)

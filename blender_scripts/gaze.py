@@ -16,17 +16,13 @@ sys.path.insert(0, str(Path(__file__).parent))
 import draw
 import drawing_settings
 import ending
-import scene_source
 from command import draw_options
 
 
 def main(words):
     asked = json.loads(words[0])
     options = draw_options.parse(asked["draw"])
-    scene_source.open_scene(options.scene)
-    scene = bpy.context.scene
-    draw.set_size(scene, options)
-    draw.set_camera(scene, options)
+    scene = draw.opened(options)
     drawing_settings.set_drawing(scene, options)
     emphasis, checked = looked(asked["strengthen"])
     if asked["heat"]:

@@ -26,14 +26,9 @@ def main(words):
     options, start = learn.parse(words[1:]), time.perf_counter()
     drawings = [comparison.read(path) for path in options.drawings]
     model = learned_lines.read(options.model) if options.predict else None
-    scene_source.open_scene(options.scene)
     size = ["--size", "{}x{}".format(*options.size)] if options.size else []
-    of_draw = draw_options.parse([options.scene, *size])
-    draw.set_size(bpy.context.scene, of_draw)
-    draw.set_camera(bpy.context.scene, of_draw)
-    size = camera.frame_size(bpy.context.scene.render)
-    for drawing in drawings:
-        size = comparison.frame_for(drawing, size, options.register)
+    scene = draw.opened(draw_options.parse([options.scene, *size]))
+    size = comparison.frame_for(drawings, camera.frame_size(scene.render), options.register)
     judges_of = comparison.judges_of(drawings, size, options.register, options.tolerance)
     view, opened = (bpy.context, size, scene_source.seen_by(options.camera)), time.perf_counter()
     try:

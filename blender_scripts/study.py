@@ -21,7 +21,6 @@ import drawing_settings
 import ending
 import over
 import picture
-import scene_source
 from command import draw_options
 from gauges import formulas
 
@@ -33,10 +32,7 @@ GRAY, PAPER = (0.7, 0.7, 0.7), (1.0, 1.0, 1.0)  # of shaded pictures
 def main(words):
     asked = json.loads(words[0])
     options = draw_options.parse([*asked["draw"], "--style", "plain"])
-    scene_source.open_scene(options.scene)
-    scene = bpy.context.scene
-    draw.set_size(scene, options)
-    draw.set_camera(scene, options)
+    scene = draw.opened(options)
     drawing_settings.set_drawing(scene, options)
     draw.set_output(scene, options)
     found = gauges(scene, asked["gauges"], asked["seed"])

@@ -1,6 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Lines learned from drawings of a scene, in Blender."""
 
+import json
+import subprocess
+from pathlib import Path
+
 import bpy
 import numpy as np
 import pytest
@@ -11,8 +15,10 @@ fitted_style, learned_lines, native, style = (
     part(name) for name in ("fitted_style", "learned_lines", "native", "style")
 )
 problem, style_fit, local_properties = part("scene.problem"), part("render.style_fit"), part("render.local_properties")
+whole_pictures = part("render.whole_pictures")
 as_rendered, definition_strengths = part("render.as_rendered"), part("render.definition_strengths")
 SIZE = 640, 480
+SCRIPTS = Path(__file__).parents[2] / "blender_scripts"
 ARTIST = {"contour": 1.0, "ridge": 0.3, "valley": 0.3}
 
 
@@ -83,3 +89,27 @@ def test_a_scene_without_surfaces_is_refused_in_a_sentence(monkey):
         bpy.data.objects.remove(obj)
     with pytest.raises(problem.CannotDraw, match="nothing that has lines"):
         local_properties.of_render(bpy.context, SIZE)
+
+
+def test_the_command_learns_from_drawings_and_draws_another_scene_by_that(tmp_path):
+    drawn, model, told = tmp_path / "drawn.png", tmp_path / "model.json", tmp_path / "told.json"
+    small = ["--size", "320x240"]
+    script("draw.py", "suzanne:2", "--style", "plain", *small, "-o", drawn)
+    script("learn.py", told, "suzanne:2", drawn, "-o", model, "--json")
+    assert json.loads(told.read_text())["f1"] > 0.5
+    script("learn.py", told, "boxes:3", "--predict", "--model", model, *small, "-o", tmp_path / "by_it.png")
+    assert json.loads(told.read_text())["pixels"] > 0 and whole_pictures.is_whole(tmp_path / "by_it.png")
+
+
+def test_the_command_fits_a_style_to_a_drawing(tmp_path):
+    drawn, made, told = tmp_path / "drawn.png", tmp_path / "style.json", tmp_path / "told.json"
+    script("draw.py", "boxes:3", "--style", "plain", "--size", "320x240", "-o", drawn)
+    script("fit.py", told, "boxes:3", drawn, "-o", made, "--lines", "contour,crease", "--json")
+    assert json.loads(told.read_text())["f1"] > 0.8 and json.loads(made.read_text())
+
+
+def script(name, *words):
+    """Runs one of the scripts behind the commands in another Blender with the add-on."""
+    where = [bpy.app.binary_path, "-b", "--python-exit-code", "1", "-P", SCRIPTS / name, "--"]
+    done = subprocess.run([*where, *map(str, words)], capture_output=True, text=True, errors="replace", timeout=300)
+    assert done.returncode == 0, done.stdout[-2000:] + done.stderr[-2000:]
