@@ -190,6 +190,34 @@ TEST(Folds, StartInGroovesAThirdSharperThanTheyGoOn) {
     EXPECT_EQ(folds(deepening), deep);
 }
 
+/// Two strips of triangles that meet in a groove along y, which turns by so many degrees in each row of vertices.
+Mesh trough(const std::vector<double>& degrees) {
+    Mesh mesh("trough", {});
+    for (std::size_t j = 0; j < degrees.size(); ++j) {
+        const float y = 2.0f * float(j), high = float(std::tan(glm::radians(0.5 * degrees[j])));
+        for (const vec3& p : {vec3(-1, y, high), vec3(0, y, 0), vec3(1, y, high)}) mesh.positions.push_back(p);
+    }
+    for (int v = 0; v + 3 < int(mesh.positions.size()); v += 3)
+        for (const int k : {v, v + 1}) {
+            mesh.add_polygon({k, k + 1, k + 4});
+            mesh.add_polygon({k, k + 4, k + 3});
+        }
+    return mesh;
+}
+
+TEST(Folds, GoOnOverAFewEdgesThatTurnHalfAsMuch) {
+    const auto with_gap = [](int edges, double degrees) {
+        std::vector<double> rows(20, 60.0);
+        for (int j = 0; j <= edges; ++j) rows[8 + j] = degrees;
+        return folds(trough(rows));
+    };
+    Ends whole;
+    for (Index j = 0; j < 19; ++j) whole.insert({3 * j + 1, 3 * j + 4});
+    for (const int edges : {1, 2, 3, 4}) EXPECT_EQ(with_gap(edges, 20.0), whole) << edges;
+    EXPECT_EQ(with_gap(5, 20.0).size(), whole.size() - 5);
+    EXPECT_EQ(with_gap(4, 12.0).size(), whole.size() - 4) << "hardly any turn";
+}
+
 TEST(Folds, OfThreeEdgesInGroovesAreKeptHoweverShort) {
     for (const int edges : {1, 2, 3, 4}) {
         const Mesh groove = extruded({60}, edges);

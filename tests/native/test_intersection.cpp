@@ -77,6 +77,25 @@ TEST(Intersection, OfASurfaceThatCrossesItself) {
     EXPECT_NEAR(at_vertex.length, 0.5, 1e-6);
 }
 
+TEST(Intersection, OfShearedQuadsHasOnlyTheTrianglesThatThereAre) {
+    // Fours of triangles are compared, and these are two each: of what fills them up, all coordinates of a map without
+    // zeros and of one sign are infinite alike.
+    const Affine sheared(dvec3(1.0, 0.2, 0.3), dvec3(0.1, 1.0, 0.4), dvec3(0.3, 0.2, 1.0), dvec3(0.0));
+    Mesh upright = grid(1), placed = grid(1);
+    for (std::size_t v = 0; v < upright.positions.size(); ++v) {
+        const vec3 p = upright.positions[v];
+        upright.positions[v] = {p.x, 0.1f, p.y};
+        placed.positions[v] = vec3(sheared * dvec4(dvec3(upright.positions[v]), 1.0));
+    }
+    const auto flat = grid(1).surface(), second = upright.surface(), mapped = placed.surface();
+    const Cancel never;
+    const Crossings found = cross(*flat, *second, sheared, never), expected = cross(*flat, *mapped, Affine(1.0), never);
+    ASSERT_FALSE(found.empty());
+    ASSERT_EQ(found.size(), expected.size());
+    for (std::size_t i = 0; i < found.size(); ++i)
+        for (int k = 0; k < 2; ++k) EXPECT_LT(found[i].triangle[k], 2u);
+}
+
 TEST(Intersection, NeighborsDoNotIntersect) {
     for (const Mesh& mesh : {box(), sphere(24), two_boxes_at_an_edge(), moebius(24), grid(8), tetrahedron(),
                              bent_quad(), l_shape(), torus(2, 0.5, 24, 12), cylinder(12)}) {

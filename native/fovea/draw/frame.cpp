@@ -17,6 +17,7 @@
 #include <fovea/path/placed_set.h>
 #include <fovea/project/project.h>
 #include <fovea/runs/dots.h>
+#include <fovea/runs/fair.h>
 #include <fovea/runs/filters.h>
 #include <fovea/runs/forks.h>
 #include <fovea/runs/invisibility.h>
@@ -132,12 +133,14 @@ void Frame::filter() {
     done_ = Step::filter;
 }
 
-/// Takes folds out of contours: replaces `clipped`, `visible` and `samples`.
+/// Takes folds out of contours, and zigzags of edges: replaces `clipped`, `visible` and `samples`.
 void Frame::unfold() {
     const Options& o = job.options;
     const Runs whole = without_own_roughness(*clipped, *paths, rays(), *visible, o.fold * scale());
     Unfolded unfolded =
         join_folds(*clipped, whole, folding(*paths), o.fold * scale(), o.joint * scale(), o.contour_spur * scale());
+    // What is decided while strokes are drawn is decided where the lines are.
+    if (!method_of(o.visibility).in_strokes) fair(unfolded.clipped, *paths, *job.scene, o.fair * scale());
     clipped = std::make_shared<ClippedPaths>(std::move(unfolded.clipped));
     if (!samples.empty()) {
         const Array<float> all = std::move(samples);

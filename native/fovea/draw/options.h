@@ -34,6 +34,7 @@ struct Options {
     double tip = 6.0;            ///< maximum size of lines that peek out alone, and are removed [reference px]
     double dot = 3.0;            ///< maximum size of contours of bumps that are removed [reference px]
     double joint = 2.0;          ///< distance up to which a contour goes on across a fold of itself [reference px]
+    double fair = 1.5;           ///< how far fairing moves contours along mesh edges at most [reference px]
     double meet = 8.0;           ///< maximum extension of a contour over its own facets, to another line [reference px]
     double beside = 4.0;         ///< distance within which a hidden line beside a visible one is removed [reference px]
     double least_hidden = 6.0;   ///< minimum length of hidden parts between visible ones [reference px]
@@ -69,6 +70,7 @@ struct Options {
         style::Field{"tip", &Options::tip, "", "", length},
         style::Field{"dot", &Options::dot, "", "", length},
         style::Field{"joint", &Options::joint, "", "", length},
+        style::Field{"fair", &Options::fair, "", "", length},
         style::Field{"meet", &Options::meet, "", "", reach},
         style::Field{"beside", &Options::beside, "", "", reach},
         style::Field{"least_hidden", &Options::least_hidden, "", "", length},

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fovea/line/folds.h>
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
+#include <vector>
 
 #include <fovea/base/disjoint_sets.h>
 #include <fovea/base/parallel.h>
@@ -34,6 +37,8 @@ Limits limits_for(Shape shape) {
     return {smooth, smooth, HUGE_VAL, none};
 }
 constexpr double bridge = 0.5;              // share of the angle from which an edge joins two ends of folds
+constexpr int longest_bridge = 4;           // edges that do so together
+constexpr double bridge_cosine = 0.5;       // and turn by up to 60 degrees, as lines are chained
 constexpr double straight_cosine = 0.6428;  // a fold continues along an edge that turns by up to 50 degrees
 
 class Folds {
@@ -72,6 +77,11 @@ class Folds {
                 is_more(by.than_alongside, &Turns::alongside));
     }
 
+    /// The other vertex of an edge.
+    Index across(Index vertex, Index edge) const {
+        return surface_.edges[edge].x == vertex ? surface_.edges[edge].y : surface_.edges[edge].x;
+    }
+
     /// Unit vector from a vertex along an edge.
     dvec3 from(Index vertex, Index edge) const {
         const Edge e = surface_.edges[edge];
@@ -89,17 +99,50 @@ class Folds {
             Index next = none;
             double best = straight_cosine;
             for (const Index e : at_vertex_[vertex]) {
-                const Index across = surface_.edges[e].x == vertex ? surface_.edges[e].y : surface_.edges[e].x;
-                const bool bridges = std::abs(turns_[e]) >= bridge * angle_ && ends_here(across);
+                const bool bridges = std::abs(turns_[e]) >= bridge * angle_ && ends_here(across(vertex, e));
                 if (on[e] || !(grade[e] || bridges)) continue;
                 const double cosine = -glm::dot(from(vertex, edge), from(vertex, e));
                 if (cosine > best) next = e, best = cosine;
             }
-            if (next == none) return;
+            if (next == none) return span_gap(vertex, edge, on);
             on[next] = 1;
-            vertex = surface_.edges[next].x == vertex ? surface_.edges[next].y : surface_.edges[next].x;
+            vertex = across(vertex, next);
             edge = next;
         }
+    }
+
+    /// Continues a fold that ends at a vertex with `edge` to the end of another one that goes the same way, over a few
+    /// edges that turn less, in the same sense.
+    void span_gap(Index vertex, Index edge, Array<std::uint8_t>& on) const {
+        Index way[longest_bridge];
+        const int edges = way_to_fold(vertex, edge, on, way, 0);
+        for (int i = 0; i < edges; ++i) on[way[i]] = 1;
+    }
+
+    /// Number of edges of `way`, of which the first `count` lead to a vertex, to the nearest fold in its direction,
+    /// straightest first; 0: there is none.
+    int way_to_fold(Index vertex, Index edge, In<std::uint8_t> on, Index (&way)[longest_bridge], int count) const {
+        struct Step {
+            double cosine;
+            Index edge;
+        };
+        std::vector<Step> steps;
+        for (const Index e : at_vertex_[vertex]) {
+            const double cosine = -glm::dot(from(vertex, edge), from(vertex, e));
+            if (e == edge || !(cosine > bridge_cosine)) continue;
+            if (on[e]) {
+                if (count > 0) return count;
+            } else if (count < longest_bridge && turns_[e] * turns_[edge] > 0.0 &&
+                       std::abs(turns_[e]) >= bridge * angle_) {
+                steps.push_back({cosine, e});
+            }
+        }
+        std::ranges::stable_sort(steps, std::greater(), &Step::cosine);
+        for (const Step& step : steps) {
+            way[count] = step.edge;
+            if (const int edges = way_to_fold(across(vertex, step.edge), step.edge, on, way, count + 1)) return edges;
+        }
+        return 0;
     }
 
     /// What a fold's edges sum up to.

@@ -271,8 +271,10 @@ struct Leaves {
         const float error = within ? step : step + b_to_a.error();
         const FourBoxes boxes_a = of_a.boxes(), boxes_b = of_b.boxes();
         unsigned meeting[4], any = 0;
+        // Lanes that are not used have boxes at infinity, which meet each other.
+        const unsigned used_a = a.used(leaf_a), used_b = b.used(leaf_b);
         for (int j = 0; j < 4; ++j) {
-            meeting[j] = boxes_a.meeting(boxes_b[j].grown(margin + error));
+            meeting[j] = used_b >> j & 1u ? boxes_a.meeting(boxes_b[j].grown(margin + error)) & used_a : 0u;
             if (within && leaf_a == leaf_b) meeting[j] &= (1u << j) - 1;
             any |= meeting[j];
         }

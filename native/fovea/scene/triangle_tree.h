@@ -26,6 +26,11 @@ struct TriangleTree {
     Box bounds;
 
     bool empty() const { return leaves.empty(); }
+    /// Lanes of a leaf that are used, as bits.
+    unsigned used(Index leaf) const {
+        const std::size_t count = order.size() - 4 * std::size_t(leaf);
+        return count < 4 ? (1u << count) - 1 : 15u;
+    }
 };
 
 /// Cached with the surface.
