@@ -1372,7 +1372,7 @@ class Frame:
         view: View,
         style: style.Style,
         *,
-        options: Options=Options(visibility='exact', sample_step=2.0, depth_scale=2, probes=9, layers=3, gap=3.0, spur=1.0, contour_spur=10.0, fold=30.0, tip=6.0, dot=3.0, joint=2.0, meet=8.0, beside=4.0, least_hidden=6.0, outlines=(), all_paths=False, focus_step=1, with_depth=False, with_focus=False, with_hidden=False, with_line_sets=False, with_line_depth=False, with_line_id=False, boil_drawing=0, matte_ranks=0),
+        options: Options=Options(visibility='exact', sample_step=2.0, depth_scale=2, probes=9, layers=3, gap=3.0, spur=1.0, contour_spur=10.0, fold=30.0, tip=6.0, dot=3.0, joint=2.0, fair=1.5, meet=8.0, beside=4.0, least_hidden=6.0, outlines=(), all_paths=False, focus_step=1, with_depth=False, with_focus=False, with_hidden=False, with_line_sets=False, with_line_depth=False, with_line_id=False, boil_drawing=0, matte_ranks=0),
         assets: Assets | None=None,
         backend: Backend | None=None,
         overrides: Overrides | None=None,
@@ -1542,6 +1542,8 @@ class Options:
     def dot(self) -> float: ...
     @property
     def joint(self) -> float: ...
+    @property
+    def fair(self) -> float: ...
     @property
     def meet(self) -> float: ...
     @property
