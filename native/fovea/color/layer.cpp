@@ -7,20 +7,18 @@
 #include <optional>
 
 #include <fovea/color/items.h>
+#include <fovea/color/pixel_samples.h>
 #include <fovea/color/shader.h>
 #include <fovea/color/shadows.h>
 #include <fovea/color/sheets.h>
 #include <fovea/color/spots.h>
-#include <fovea/image/lattice.h>
 #include <fovea/scene/light_view.h>
 
 namespace fovea::color {
 namespace {
 
-constexpr int sample_bits = 4, fine_samples = 1 << sample_bits;
-/// Difference of display colors above which a pixel gets the fine samples.
-constexpr float fine_color = 1.0f / 96.0f;
-/// The same of pixels of one triangle, but for bands: in wide penumbras one sample is enough.
+/// Difference above which a pixel gets the fine samples, of pixels of one triangle, but for bands: in wide penumbras
+/// one sample is enough.
 constexpr float fine_shadow = 1.0f / 12.0f;
 /// Of spots of black, in reference pixels, squared: smaller ones are not left, nor are smaller holes.
 constexpr double least_spot = 60.0;
@@ -34,7 +32,7 @@ class Layer {
           const Cancel& cancel)
         : tracer_(tracer),
           view_(tracer.view()),
-          clip_to_view_(glm::inverse(view_.view_to_clip)),
+          meeting_(tracer),
           shader_(shader),
           shadows_(shadows),
           blacks_(float(style.blacks)),
@@ -78,7 +76,7 @@ class Layer {
             if (y % first_px != 0) return;
             each_item(y, [&](int x, const SeenTriangle& triangle) {
                 if (x % first_px != 0) return;
-                const auto place = place_at(triangle, center(x, y), triangle.screen.at(center(x, y)));
+                const auto place = place_at(triangle, middle_of(x, y), triangle.screen.at(middle_of(x, y)));
                 known[std::size_t(y) * view_.width + x] = shadows_->sampled(place, x, y);
             });
         });
@@ -92,13 +90,12 @@ class Layer {
             const std::size_t i = std::size_t(y) * view_.width + x;
             if (!spots_.empty() && (spots_[i] == Spot::as_is || (spots_[i] == Spot::filled) == (black_at_[i] != 0)))
                 return;
-            const dvec3 share = triangle.screen.at(center(x, y));
-            colors[i] = sample(triangle, center(x, y), share, i, reach_at(triangle, center(x, y), share, i, all_parts));
+            const dvec3 share = triangle.screen.at(middle_of(x, y));
+            colors[i] =
+                sample(triangle, middle_of(x, y), share, i, reach_at(triangle, middle_of(x, y), share, i, all_parts));
             if (shadows_) black_at_[i] = colors[i] == black_;
         });
     }
-
-    static dvec2 center(int x, int y) { return {x + 0.5, y + 0.5}; }
 
     /// Calls visit(x, triangle) for each pixel of a row at whose center there is one.
     template <typename Visit>
@@ -167,14 +164,13 @@ class Layer {
         const Index own = items_.at(x, y);
         const std::size_t here = std::size_t(y) * view_.width + x;
         Edge edge = Edge::none;
-        for (int v = std::max(y - 1, 0); v <= std::min(y + 1, view_.height - 1); ++v)
-            for (int u = std::max(x - 1, 0); u <= std::min(x + 1, view_.width - 1); ++u) {
-                const std::size_t there = std::size_t(v) * view_.width + u;
-                const bool is_other = items_.at(u, v) != own;
-                if (!differ(coarse[here], coarse[there], is_other ? fine_color : same_color(here, there))) continue;
-                if (!is_other) return Edge::of_shadows;
-                edge = Edge::of_triangles;
-            }
+        any_around(view_, x, y, [&](int u, int v) {
+            const std::size_t there = std::size_t(v) * view_.width + u;
+            const bool is_other = items_.at(u, v) != own;
+            if (!differ(coarse[here], coarse[there], is_other ? fine_color : same_color(here, there))) return false;
+            edge = is_other ? Edge::of_triangles : Edge::of_shadows;
+            return !is_other;
+        });
         return edge;
     }
 
@@ -183,18 +179,18 @@ class Layer {
         std::array<SeenTriangle, 9> triangles;
         std::array<std::optional<Reach>, 9> known;  // of triangles on which shadows have no edge here
         int count = 0;
-        for (int v = std::max(y - 1, 0); v <= std::min(y + 1, view_.height - 1); ++v)
-            for (int u = std::max(x - 1, 0); u <= std::min(x + 1, view_.width - 1); ++u) {
-                const Index item = items_.at(u, v);
-                if (item == none || std::find(items.begin(), items.begin() + count, item) != items.begin() + count)
-                    continue;
-                triangles[count] = items_.triangle(item, shader_);
-                items[count++] = item;
-            }
+        any_around(view_, x, y, [&](int u, int v) {
+            const Index item = items_.at(u, v);
+            if (item == none || std::find(items.begin(), items.begin() + count, item) != items.begin() + count)
+                return false;
+            triangles[count] = items_.triangle(item, shader_);
+            items[count++] = item;
+            return false;
+        });
         vec4 sum(0.0f);
         const std::size_t pixel = std::size_t(y) * view_.width + x;
         for (int i = 0; i < fine_samples; ++i) {
-            const dvec2 px = center(x, y) + place_in_square(i, sample_bits);
+            const dvec2 px = fine_sample(x, y, i);
             const auto [nearest, share] = nearest_of(px, triangles.data(), count);
             if (nearest == count) {
                 sum += beyond(px, pixel);
@@ -217,19 +213,14 @@ class Layer {
     /// Which of some triangles is seen at a position, `count`: none, and its barycentrics there.
     std::pair<int, dvec3> nearest_of(const dvec2& px, const SeenTriangle* triangles, int count) const {
         int nearest = count;
-        double distance = HUGE_VAL;
-        dvec3 share(0.0);
+        Met first{dvec3(0.0), HUGE_VAL};
         for (int i = 0; i < count; ++i) {
-            const dvec3 here = triangles[i].screen.at(px);
-            if (!ScreenTriangle::covers(here)) continue;
-            const double found = triangles[i].screen.distance(here);
-            if (found < view_.near_clip || found >= distance) continue;
-            if (tracer_.cuts_away(from_pixels(view_, clip_to_view_, px, found))) continue;
+            const std::optional<Met> here = meeting_.at(triangles[i], px);
+            if (!here || !(here->distance < first.distance)) continue;
             nearest = i;
-            distance = found;
-            share = here;
+            first = *here;
         }
-        return {nearest, share};
+        return {nearest, first.share};
     }
 
     /// The color where none of the triangles around the pixel covers the position.
@@ -243,7 +234,7 @@ class Layer {
 
     const Tracer& tracer_;
     const View& view_;
-    dmat4 clip_to_view_;
+    Meeting meeting_;
     const ColorShader& shader_;
     const Shadows* shadows_;
     const float blacks_;

@@ -7,15 +7,11 @@
 #include <tuple>
 #include <vector>
 
-#include <fovea/image/lattice.h>
+#include <fovea/color/pixel_samples.h>
 #include <fovea/scene/section.h>
 
 namespace fovea::color {
 namespace {
-
-constexpr int sample_bits = 4, fine_samples = 1 << sample_bits;
-/// Difference of colors above which a pixel gets the fine samples.
-constexpr float fine_color = 1.0f / 96.0f;
 
 /// Triangles of see-through surfaces, by the pixels whose centers they cover.
 class Sheets {
@@ -120,14 +116,14 @@ SeenTriangle Sheets::triangle(const Fragment& fragment, const ColorShader& shade
     return shader.triangle(sheet.placement, sheet.number[fragment.triangle]);
 }
 
-/// A triangle at a place of the image.
-struct Met {
+/// A sheet's triangle at a place of the image.
+struct Layered {
     const SeenTriangle* triangle;
     dvec3 share;
     double distance;
 
     /// Whether both are met on a side, as triangles of one surface are on the side that they share.
-    bool doubles(const Met& other) const {
+    bool doubles(const Layered& other) const {
         return triangle->placement == other.triangle->placement && on_side() && other.on_side() &&
                std::abs(distance - other.distance) <= 1e-6 * distance;
     }
@@ -141,20 +137,15 @@ struct Met {
 class SheetLayer {
    public:
     SheetLayer(const Tracer& tracer, const ColorShader& shader, const Items& items, const Sheets& sheets)
-        : tracer_(tracer),
-          view_(tracer.view()),
-          clip_to_view_(glm::inverse(view_.view_to_clip)),
-          shader_(shader),
-          items_(items),
-          sheets_(sheets) {}
+        : tracer_(tracer), view_(tracer.view()), meeting_(tracer), shader_(shader), items_(items), sheets_(sheets) {}
 
     /// At the centers of a row's pixels.
     void centers(int y, vec4* row) const {
         std::vector<Sheets::Fragment> known;
         std::vector<SeenTriangle> triangles;
-        std::vector<Met> found;
+        std::vector<Layered> found;
         for (int x = 0; x < view_.width; ++x) {
-            const dvec2 px(x + 0.5, y + 0.5);
+            const dvec2 px = middle_of(x, y);
             const In<Sheets::Fragment> before = seen(x, y);
             if (triangles.size() < before.size()) {
                 triangles.resize(before.size());
@@ -176,7 +167,7 @@ class SheetLayer {
     /// Whether the colors at the centers around a pixel, of triangles others than its own, differ.
     bool at_edge(const Array<vec4>& centers, int x, int y) const {
         const vec4& own = centers[std::size_t(y) * view_.width + x];
-        return around(x, y, [&](int u, int v) {
+        return any_around(view_, x, y, [&](int u, int v) {
             const vec4 by = glm::abs(centers[std::size_t(v) * view_.width + u] - own);
             return std::max({by.r, by.g, by.b, by.a}) > fine_color &&
                    (items_.at(u, v) != items_.at(x, y) || !std::ranges::equal(sheets_.at(u, v), sheets_.at(x, y)));
@@ -188,7 +179,7 @@ class SheetLayer {
         std::vector<Index> items;
         std::vector<Sheets::Fragment> known;
         std::vector<SeenTriangle> before, triangles;
-        around(x, y, [&](int u, int v) {
+        any_around(view_, x, y, [&](int u, int v) {
             if (const Index item = items_.at(u, v); item != none && std::ranges::find(items, item) == items.end()) {
                 items.push_back(item);
                 before.push_back(items_.triangle(item, shader_));
@@ -201,16 +192,17 @@ class SheetLayer {
             return false;
         });
         vec4 sum(0.0f);
-        std::vector<Met> found;
+        std::vector<Layered> found;
         for (int i = 0; i < fine_samples; ++i) {
-            const dvec2 px = dvec2(x + 0.5, y + 0.5) + place_in_square(i, sample_bits);
+            const dvec2 px = fine_sample(x, y, i);
             found.clear();
             for (const SeenTriangle& triangle : triangles)
-                if (const auto here = met(triangle, px, Met::slack)) found.push_back(*here);
+                if (const auto here = meeting_.at(triangle, px, Layered::slack))
+                    found.push_back({&triangle, here->share, here->distance});
             if (found.empty()) continue;
             const double reach = nearest(before, px);
-            std::erase_if(found, [reach](const Met& sheet) { return sheet.distance >= reach; });
-            std::ranges::sort(found, {}, [](const Met& m) {
+            std::erase_if(found, [reach](const Layered& sheet) { return sheet.distance >= reach; });
+            std::ranges::sort(found, {}, [](const Layered& m) {
                 return std::tuple(m.distance, m.triangle->placement, m.triangle->triangle);
             });
             sum += composite(found, px);
@@ -219,15 +211,6 @@ class SheetLayer {
     }
 
    private:
-    /// Whether visit(x, y) is true for one of the pixels around a pixel, itself among them; ends with the first.
-    template <typename Visit>
-    bool around(int x, int y, const Visit& visit) const {
-        for (int v = std::max(y - 1, 0); v <= std::min(y + 1, view_.height - 1); ++v)
-            for (int u = std::max(x - 1, 0); u <= std::min(x + 1, view_.width - 1); ++u)
-                if (visit(u, v)) return true;
-        return false;
-    }
-
     /// The sheets before the nearest occluding triangle at a pixel's center, the nearest first.
     In<Sheets::Fragment> seen(int x, int y) const {
         const In<Sheets::Fragment> all = sheets_.at(x, y);
@@ -238,28 +221,18 @@ class SheetLayer {
         return all.first(behind - all.begin());
     }
 
-    /// `slack`: of shares outside the triangle, so that nothing is missed between two.
-    std::optional<Met> met(const SeenTriangle& triangle, const dvec2& px, double slack) const {
-        const dvec3 share = triangle.screen.at(px);
-        if (!ScreenTriangle::covers(share + slack * (share.x + share.y + share.z))) return {};
-        const double distance = triangle.screen.distance(share);
-        if (!(distance >= view_.near_clip) || tracer_.cuts_away(from_pixels(view_, clip_to_view_, px, distance)))
-            return {};
-        return Met{&triangle, share, distance};
-    }
-
     /// Distance of what occludes at a place, by the triangles around it or by a ray; infinite without any.
     double nearest(In<SeenTriangle> triangles, const dvec2& px) const {
         double distance = HUGE_VAL;
         for (const SeenTriangle& triangle : triangles)
-            if (const auto here = met(triangle, px, 0.0)) distance = std::min(distance, here->distance);
+            if (const auto here = meeting_.at(triangle, px)) distance = std::min(distance, here->distance);
         if (distance < HUGE_VAL) return distance;
         const auto hit = tracer_.seen(px);
         return hit ? hit->t : HUGE_VAL;
     }
 
     /// Of what is met there, the nearest first.
-    vec4 composite(In<Met> found, const dvec2& px) const {
+    vec4 composite(In<Layered> found, const dvec2& px) const {
         vec4 sum(0.0f);
         for (std::size_t i = 0; i < found.size(); ++i) {
             if (i > 0 && found[i].doubles(found[i - 1])) continue;
@@ -273,7 +246,7 @@ class SheetLayer {
 
     const Tracer& tracer_;
     const View& view_;
-    dmat4 clip_to_view_;
+    Meeting meeting_;
     const ColorShader& shader_;
     const Items& items_;
     const Sheets& sheets_;
