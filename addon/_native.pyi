@@ -166,7 +166,7 @@ class style:
         @property
         def name(self) -> str: ...
         @property
-        def kinds(self) -> dict[str, dict[str, float]]: ...
+        def kinds(self) -> dict[str, dict[str, object]]: ...
         @property
         def collection(self) -> str: ...
         @property
@@ -470,7 +470,7 @@ class style:
         def width_px(self, pen: style.Pen, reference_scale: float) -> float:
             """Width of a pen in pixels of an image, so many of which are a reference pixel."""
 
-    def parameters(definition: str, values: dict, where: str) -> dict[str, float]:
+    def parameters(definition: str, values: dict, where: str) -> dict[str, object]:
         """{parameter: value} of a line definition, checked. ValueError says what is wrong with it."""
 
     def file_bytes(path: bytes) -> bytes:
@@ -761,6 +761,9 @@ class CutSurface(Surface):
 
 def line_definitions() -> list[dict[str, object]]:
     """The registry: one dict per definition, in the order of its bits, with its parameters."""
+
+class FileContent:
+    """What a file says that a line definition is given."""
 
 class Paths:
     """Segments chained into paths, in object space; N points, P paths."""
@@ -1379,11 +1382,13 @@ class Frame:
         colors: ColorSources | None=None,
         near: Mapping[int, NearLines]={},
         exposure: Exposure | None=None,
+        files: Mapping[str, FileContent]={},
         cancel: Cancel | None=None,
         progress: Callable | None=None,
     ) -> None:
         """near: {how many frames later another is: its NearLines}; exposure: an Exposure, whose ink is drawn in place
-        of the frame's own; progress(share, stage) is called before each stage."""
+        of the frame's own; files: {path as the style has it: FileContent}, others are missing; progress(share, stage)
+        is called before each stage."""
     def find(self) -> None: ...
     def see(self) -> None: ...
     def filter(self) -> None: ...
@@ -1988,6 +1993,9 @@ class LineModel:
     @property
     def threshold(self) -> float:
         """Probability from which on there are lines"""
+    @property
+    def content(self) -> FileContent:
+        """As FileContent of a line definition."""
     def with_threshold(self, threshold: float) -> LineModel:
         """The same with another one."""
     def __eq__(self, other: LineModel) -> bool: ...

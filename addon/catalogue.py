@@ -14,7 +14,8 @@ A definition is a dict of
 - usual: what artists draw with; panels fold the others
 - parameters: dicts of name, label, default, min, max, unit ("degrees", "pixels", "millimeters", "bool" or
   ""), meaning, and
-  per_object: whether objects may override the value.
+  per_object: whether objects may override the value
+- file: None, or a dict of name, label, suffix, meaning of the file without which it finds nothing.
 Definitions are in the registry's order.
 """
 

@@ -5,6 +5,7 @@
 Pictures are bottom row first. How likely a line is at a pixel, which models learn, is the mean over drawings of a
 Gaussian of the distance to the nearest line, 1 on a line, half a tolerance wide."""
 
+import os
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -13,7 +14,6 @@ import numpy as np
 from . import native
 
 SEED = 1
-MOST_BYTES = 2 << 20  # of a file that is looked at: models have half of that at most
 BLOCK = 0.025  # side of the blocks by which pixels are held out, as a share of the diagonal
 HELD_OUT = 4  # of so many blocks one is held out
 NEAR = 0.1  # from which likelihood on a pixel is near to a line: all of these are learned from
@@ -33,6 +33,11 @@ class Learned:
     found: dict
 
 
+def kinds():
+    """(name, label, description) of the kinds of models."""
+    return native.load().LineModel.kinds
+
+
 def likelihood(drawings, tolerance):
     """(H, W) float32 of Bitmaps of one size."""
     parts = [np.exp(-0.5 * (drawing.distances() / max(0.5 * tolerance, 0.5)) ** 2) for drawing in drawings]
@@ -47,9 +52,8 @@ def held_out(height, width):
 
 
 def read(path):
-    """The native LineModel of a file. ValueError, or an OSError, in a sentence if it is none."""
-    with Path(path).open("rb") as file:
-        text = file.read(MOST_BYTES).decode("utf-8", errors="replace")
+    """The native LineModel of a file. ValueError in a sentence if it is none."""
+    text = native.load().style.file_bytes(os.fsencode(path)).decode("utf-8", errors="replace")
     try:
         return native.load().LineModel.of_json(text)
     except ValueError as error:

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
 
-from . import native, style
+from . import line_files, native, style
 from .stages import Image
 
 FOLDER = Path(__file__).parent  # contains the bundled textures and papers
@@ -59,6 +59,7 @@ def frame(
             colors=colors,
             near=near.lines if near else {},
             exposure=exposure,
+            files=line_files.contents(chosen),
             cancel=cancel,
             progress=progress,
         )

@@ -12,7 +12,7 @@ from pathlib import Path
 
 import bpy
 import numpy as np
-from bl_ext.user_default.fovea import comparison_report, gaze, learned_lines, native, style
+from bl_ext.user_default.fovea import catalogue, comparison_report, gaze, learned_lines, native, style
 from bl_ext.user_default.fovea.render import gaze_check, local_properties, vectors
 from bl_ext.user_default.fovea.style import style_data
 
@@ -63,9 +63,10 @@ def in_grays(picture, count=GREYS):
 def line(name, path):
     """(H, W) picture of one line definition."""
     shown = pages.LINES[name]
+    given = by_model(name, learned_from(shown.learned, path)[0], path) if shown.learned else {}
     open_model(shown.model)
     faint = draw_lines(shown, shown.beneath, shown.beneath_params, FAINT, path)
-    return np.minimum(faint, draw_lines(shown, (name,), shown.params, BOLD, path))
+    return np.minimum(faint, draw_lines(shown, (name,), shown.params, BOLD | given, path))
 
 
 def stage(name, path):
@@ -253,20 +254,32 @@ def overlay(name, path):
 
 
 def learned(name, path):
-    """(H, W) drawing of a model, how likely its lines are by what is learned from it, and lines of another model by
-    that, supersampled by 2."""
-    shown, other = pages.LEARN[name]
+    """(H, W) drawing of a model, how likely its lines are by what is learned from it, and another model as it is drawn
+    by that, supersampled by 2."""
+    model, gray, likely = learned_from(name, path)
+    _, other = pages.LEARN[name]
+    open_model(other.model)
+    drawn = draw_lines(other, other.drawn[0], (), CLEAR | by_model(*other.drawn[0], model, path), path)
+    return in_grays(halved(np.hstack([gray, 1.0 - likely, drawn])))
+
+
+def learned_from(name, path):
+    """(model of lines, (H, W) drawing that it has learned from, (H, W) how likely it finds lines there)."""
+    shown, _ = pages.LEARN[name]
     open_model(shown.model)
     gray = draw_lines(shown, shown.drawn[0], (), CLEAR, path)
     judge = native.load().GrayImage(np.round(255 * gray)).lines()
     properties = local_properties.of_render(bpy.context, gray.shape[::-1])
     model = learned_lines.learn(properties, [judge], "forest").model
-    likely, _ = learned_lines.drawn(model, properties)
-    open_model(other.model)
-    draw_lines(other, other.drawn[0], (), FAINT, path)  # sets up its camera
-    _, lines = learned_lines.drawn(model, local_properties.of_render(bpy.context, gray.shape[::-1]))
-    thin = np.where(lines.distances() <= 1.0, 0.3, 1.0)
-    return in_grays(halved(np.hstack([gray, 1.0 - likely, thin])))
+    return model, gray, learned_lines.drawn(model, properties)[0]
+
+
+def by_model(definition, model, path):
+    """Settings of a style that give a model of lines to a definition. `path`: of a file beside which that of the model
+    is written."""
+    file = path.with_suffix(".json")
+    file.write_text(model.json(), encoding="utf-8")
+    return {f"set.kinds.{definition}_{catalogue.by_name()[definition]['file']['name']}": str(file)}
 
 
 def heat(name, path):

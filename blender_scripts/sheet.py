@@ -9,6 +9,7 @@ import bpy
 import ending
 import numpy as np
 import picture
+from bl_ext.user_default.fovea.scene import line_kinds
 from bl_ext.user_default.fovea.style import style_data
 from command import output
 
@@ -20,10 +21,13 @@ PEN = {"width": 5.0, "color": (0.0, 0.0, 0.0), "taper": 0.0}
 
 
 def render(scene, definitions, path):
-    """Writes a sheet of those definitions that the scene's style draws to `path`, an 8-bit gray PNG."""
+    """Writes a sheet of those definitions that the scene's style draws to `path`, an 8-bit gray PNG; without those that
+    lack their file."""
     held = style_data.own(scene)
     drawn = style_data.drawn_kinds(held)
-    shown = [definition for definition in definitions if definition["name"] in drawn]
+    shown = [
+        definition for definition in definitions if definition["name"] in drawn and not lacks_file(held, definition)
+    ]
     size = scene.render.resolution_x, scene.render.resolution_y
     columns = columns_for(len(shown), size)
     rows = -(-len(shown) // columns)
@@ -41,6 +45,12 @@ def render(scene, definitions, path):
         tiles = [np.minimum(shape, draw({definition["name"]}, PEN)) for definition in shown]
         labels = draw_labels([d["label"] for d in shown], columns, rows, size, tile)
     save(paste(tiles, labels, columns), path)
+
+
+def lacks_file(held, definition):
+    """Whether no line set of a style names the file that a definition needs."""
+    file = definition["file"]
+    return file and not any(getattr(s.kinds, line_kinds.property_name(definition, file)) for s in held.line_sets)
 
 
 def columns_for(count, size):

@@ -16,7 +16,7 @@ from math import floor
 import bpy
 from bpy.app.handlers import persistent
 
-from .. import native
+from .. import line_files, native
 from ..pipeline import Near
 from ..scene import camera, kept
 
@@ -113,7 +113,8 @@ def with_itself(engine, depsgraph, near, content_now):
 def content(read, seen, chosen, options, backend):
     """What the lines of a frame depend on, to be compared: of a Read scene, a native View, a Style, native Options, a
     backend."""
-    return native.load().content_of(read.placed, seen, read.notes), chosen, options, backend.name
+    scene = native.load().content_of(read.placed, seen, read.notes)
+    return scene, chosen, line_files.stamp(chosen), options, backend.name
 
 
 def _keep(key, looked):

@@ -13,7 +13,7 @@ from functools import partial
 
 import numpy as np
 
-from .. import native, pipeline, style
+from .. import line_files, native, pipeline, style
 from ..scene import camera, followed, kept, scene, surfaces
 from ..scene.operator import TOLD
 from ..scene.problem import CannotDraw
@@ -104,7 +104,8 @@ def gather(engine, depsgraph, chosen, viewport=None, with_colors=True, cancel=No
     if not found.snapshot.surfaces and not scene.has_anything(followed.of(depsgraph.scene)):
         raise CannotDraw("The scene is empty: there is nothing that has lines")
     report_skipped(engine, found.built, found.remarks)
-    report_once(engine, style.remark(chosen))
+    for remark in (style.remark(chosen), *line_files.remarks(chosen)):
+        report_once(engine, remark)
     kept.trim()
     return found
 

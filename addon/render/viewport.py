@@ -11,7 +11,7 @@ import weakref
 
 import bpy
 
-from .. import budget, moved_picture, native, pipeline
+from .. import budget, line_files, moved_picture, native, pipeline
 from ..gpu import program as gpu_program
 from ..gpu import viewport as gpu_viewport
 from ..scene import camera, scene
@@ -133,7 +133,7 @@ class Viewport:
         drawing = scene.style.animation.boil_drawing(depsgraph.scene.frame_current)
         quality = methods.quality(depsgraph.scene.fovea)
         options = pipeline.options(visibility=visibility, boil_drawing=drawing, **quality)
-        key = (scene.version, seen(view), options, backend.name)
+        key = (scene.version, line_files.stamp(scene.style), seen(view), options, backend.name)
         if self.wanted is None or self.wanted.key != key:
             self.wanted = Wanted(key, view, scene, options, backend)
 

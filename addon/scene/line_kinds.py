@@ -1,14 +1,16 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The kinds of lines of a line set, as Blender properties generated from the native registry.
 
-Each line definition has a switch of its name, and its parameters are `<definition>_<parameter>`. Angles are stored in
-radians, as Blender's angle properties expect.
+Each line definition has a switch of its name, and its parameters are `<definition>_<parameter>`, its file, too. Angles
+are stored in radians, as Blender's angle properties expect.
 """
 
 import math
 
+import bpy
+
 from .. import catalogue, native
-from .property_kinds import neat, new_group, number, switch
+from .property_kinds import file_path, neat, new_group, number, switch
 
 SLIDE = 20  # soft maximum of a parameter, in multiples of its default
 
@@ -31,6 +33,7 @@ def write(kinds, wanted):
     for definition in definitions():
         name = definition["name"]
         defaults = {parameter["name"]: parameter["default"] for parameter in definition["parameters"]}
+        defaults |= {definition["file"]["name"]: ""} if definition["file"] else {}
         setattr(kinds, name, name in wanted)
         set_parameters(kinds, name, defaults | wanted.get(name, {}))
 
@@ -39,11 +42,14 @@ def set_parameters(kinds, name, values):
     """Sets parameters of the named definition; values in the registry's units."""
     units = {p["name"]: p["unit"] for d in definitions() if d["name"] == name for p in d["parameters"]}
     for parameter, value in values.items():
-        setattr(kinds, f"{name}_{parameter}", _stored(value, units[parameter]))
+        setattr(kinds, f"{name}_{parameter}", _stored(value, units.get(parameter, "")))
 
 
 def _values(kinds, definition):
-    return {parameter["name"]: value_of(kinds, definition, parameter) for parameter in definition["parameters"]}
+    values = {parameter["name"]: value_of(kinds, definition, parameter) for parameter in definition["parameters"]}
+    file = definition["file"]
+    path = getattr(kinds, property_name(definition, file)) if file else ""
+    return values | {file["name"]: bpy.path.abspath(path, library=kinds.id_data.library)} if path else values
 
 
 def value_of(settings, definition, parameter):
@@ -92,4 +98,6 @@ def group():
         found[name] = switch(definition["label"], definition["description"])
         for parameter in definition["parameters"]:
             found[property_name(definition, parameter)] = parameter_property(parameter)
+        if file := definition["file"]:
+            found[property_name(definition, file)] = file_path(file["label"], file["meaning"])
     return new_group("FoveaLineKinds", "Kinds of lines and their parameters.", found)

@@ -40,6 +40,12 @@ choice, text, pointer = map(_redrawn, (props.EnumProperty, props.StringProperty,
 vector = _redrawn(props.FloatVectorProperty)
 
 
+def file_path(name, description):
+    """A property that holds the path of a file, which may be relative to the .blend file."""
+    relative = {"options": {"PATH_SUPPORTS_BLEND_RELATIVE"}} if bpy.app.version >= (5, 0, 0) else {}
+    return text(name, description, subtype="FILE_PATH", **relative)
+
+
 def new_group(name, told, annotations, **others):
     """A new subclass of PropertyGroup. `told`: its docstring; `others`: further attributes."""
     contents = {"__annotations__": annotations, "__module__": __name__, "__doc__": told, **others}

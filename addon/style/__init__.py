@@ -14,7 +14,7 @@ from difflib import get_close_matches
 from functools import lru_cache
 from pathlib import Path
 
-from .. import catalogue, native
+from .. import catalogue, line_files, native
 
 _PACKAGE = Path(__file__).parents[1]
 FOLDER, TEXTURES, PAPERS = _PACKAGE / "styles", _PACKAGE / "textures", _PACKAGE / "papers"
@@ -78,9 +78,13 @@ def read(path):
     except ValueError as error:
         raise StyleError(f"the style {error}") from error
     try:
-        return parse(data.decode("utf-8-sig"))
+        return line_files.absolute(parse(data.decode("utf-8-sig")), Path(path).parent)
     except UnicodeDecodeError as error:
         raise StyleError(f"the style is not text in UTF-8: byte {error.start} is not") from error
+    except StyleError:
+        raise
+    except ValueError as error:
+        raise StyleError(str(error)) from error
 
 
 def parse(text, _definitions=None):
@@ -133,7 +137,8 @@ def remark(style):
         if where[-1:] == ["kinds"]:
             beside |= set(catalogue.by_name())
         if where[-2:-1] == ["kinds"]:
-            beside |= {parameter["name"] for parameter in catalogue.by_name()[where[-1]]["parameters"]}
+            definition = catalogue.by_name()[where[-1]]
+            beside |= {known["name"] for known in (*definition["parameters"], definition["file"]) if known}
         near = get_close_matches(key, sorted(beside), 1)
         told.append(_dotted((*where, key)) + (f" (is it {near[0]}?)" if near else ""))
     more = f" and {len(style.kept) - MOST_TOLD} more" if len(style.kept) > MOST_TOLD else ""

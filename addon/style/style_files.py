@@ -10,7 +10,7 @@ from pathlib import Path
 
 import bpy
 
-from .. import files, native, style
+from .. import files, line_files, native, style
 from ..scene.own_preferences import ADDON, own
 from . import style_picture
 
@@ -73,7 +73,14 @@ def save(name, wanted):
 
 
 def write(path, wanted):
-    """Writes a Style to a file atomically: on an error the old file stays. NotWritten if it cannot be written."""
+    """Writes a Style to a file atomically: on an error the old file stays. NotWritten if it cannot be written.
+    StyleError if a file that its lines are given cannot be brought beside it."""
+    try:
+        wanted = line_files.beside(wanted, Path(path).parent)
+    except files.NotWritten:
+        raise
+    except ValueError as error:
+        raise style.StyleError(str(error)) from error
     with files.written(path) as fresh:
         fresh.write_bytes(style.dump(wanted).encode())
 

@@ -138,6 +138,8 @@ def _draw_kind(body, line_set, definition, taken):
     if getattr(kinds, name):
         for parameter in definition["parameters"]:
             body.prop(kinds, f"{name}_{parameter['name']}")
+        if definition["file"]:
+            body.prop(kinds, f"{name}_{definition['file']['name']}")
 
 
 def draw_pen_of_visible(layout, line_set):

@@ -39,6 +39,7 @@ def _in_menu(self, _context):
     self.layout.operator("fovea.compare_drawing", text="Compare with Drawing...")
     self.layout.operator("fovea.register_drawing", text="Register Drawing...")
     self.layout.operator("fovea.fit_style", text="Fit Style to Drawing...")
+    self.layout.operator("fovea.learn_lines", text="Learn Lines from Drawing...")
     for name in ("standard_view", "freestyle_off", "line_art_off"):
         self.layout.operator(f"fovea.{name}")
 

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import numpy as np
 
-from . import eye, obj, output, package, quantities
+from . import eye, model_files, obj, output, package, quantities
 from .target import say
 
 
@@ -40,6 +40,7 @@ def parse(words):
     parser.add_argument("--light", action="append", type=_vector, default=[], metavar="X,Y,Z", help="a point light")
     parser.add_argument("--sun", action="append", type=_vector, default=[], metavar="X,Y,Z", help="towards a sun")
     parser.add_argument("--param", action="append", type=quantities.assignment, default=[], metavar="NAME=VALUE")
+    parser.add_argument("--model", dest="given", type=model_files.file, metavar="FILE", help="that a definition needs")
     turn = quantities.finite("degrees")
     parser.add_argument("--corner-angle", type=turn, default=60.0, metavar="DEG", help="paths end at sharper turns")
     parser.add_argument("--estimator", choices=("automatic", "jets", "one_ring"), default="automatic")
@@ -61,6 +62,8 @@ def parse(words):
             parser.error(f"--{name} goes with --visible")
     if options.style and options.hidden:
         parser.error("--hidden goes with --definition: a style says itself what it draws of hidden lines")
+    if options.style and options.given:
+        parser.error("--model goes with --definition: a style names its files itself")
     return options
 
 
@@ -91,10 +94,22 @@ def _style(options):
     style = importlib.import_module("addon.style")
     if options.definition:
         style.check(style.LineSet, "corner_angle", options.corner_angle, "--corner-angle")
-        given = {options.definition: style.parameters(options.definition, dict(options.param), "definition")}
+        given = {options.definition: style.parameters(options.definition, _given(options), "definition")}
         lines_of = importlib.import_module("addon.pipeline").style_of_lines
         return lines_of(given, options.corner_angle, options.hidden)
     return style.named(options.style)
+
+
+def _given(options):
+    """{parameter: value} of --param, and of the file that the definition needs. ValueError if that is none."""
+    given, path = dict(options.param), options.given
+    definition = importlib.import_module("addon.catalogue").by_name().get(options.definition)
+    if not path or not definition:
+        return given
+    if not definition["file"]:
+        raise ValueError(f"--model: {options.definition} needs no file")
+    importlib.import_module("addon.learned_lines").read(path)
+    return given | {definition["file"]["name"]: str(path)}
 
 
 def _output(text):

@@ -22,6 +22,7 @@ class Picture:
     beneath: tuple = SHAPE  # line definitions drawn faintly below
     beneath_params: tuple = ()  # options of `fovea draw` for these
     params: tuple = ()  # for its own lines
+    learned: str = ""  # picture of LEARN from whose drawing the model is that its own lines need
 
 
 def _seen(azimuth, elevation):
@@ -63,6 +64,7 @@ _CHOSEN = {  # definition -> its picture; the others are drawn on the monkey
     "hatching": Picture(
         LESSON + "shadows", _seen(-40, 28), ("contour", "crease"), params=_params("hatching.spacing=12")
     ),
+    "learned_line": Picture("organic/cow.obj", _seen(-60, 12), learned="learned"),
 }
 # Every definition that has a page.
 LINES = {
@@ -245,7 +247,7 @@ COMPARE = {"overlay": Pair(*BUNNY, (("contour", "suggestive_contour"), ("contour
 LEARN = {  # picture -> a drawing that is learned from, and another model that is drawn by that
     "learned": (
         Pair(*MONKEY, (("contour", "suggestive_contour", "ridge", "valley"),)),
-        Pair("organic/cow.obj", _seen(-60, 12), (SHAPE,)),
+        Pair("organic/cow.obj", _seen(-60, 12), (("learned_line",),)),
     )
 }
 

@@ -5,6 +5,7 @@ for the user, if it is invalid or out of range."""
 import argparse
 import math
 import re
+from pathlib import Path
 from typing import NamedTuple
 
 FRAME_SIDES = 4, 65536  # pixels, Blender's limits
@@ -112,11 +113,14 @@ def radii(text):
 
 
 def assignment(text):
-    """(name, number) from NAME=NUMBER; the line definition validates them later."""
+    """(name, number) from NAME=NUMBER, (name, absolute path) from NAME=FILE.json; the line definition validates them
+    later."""
     name, _, value = text.partition("=")
+    if Path(value).suffix == ".json":
+        return name, str(Path(value).absolute())
     number = _float(value)
     if not math.isfinite(number):
-        raise argparse.ArgumentTypeError(f"'{text}' is not NAME=NUMBER")
+        raise argparse.ArgumentTypeError(f"'{text}' is not NAME=NUMBER, nor NAME=FILE.json")
     return name, number
 
 

@@ -57,12 +57,14 @@ class PythonBackend : public Backend {
 };
 
 using Near = std::map<int, NearLines>;
+using GivenFiles = std::map<std::string, std::shared_ptr<FileContent>>;
 
 std::shared_ptr<Frame> make_frame(std::shared_ptr<Scene> scene, const View& view, const style::Style& style,
                                   const Options& options, std::shared_ptr<Assets> assets,
                                   std::shared_ptr<Backend> backend, const OwningOverrides* overrides,
                                   const ColorSources* colors, const Near& near, std::shared_ptr<Exposure> exposure,
-                                  std::shared_ptr<Cancel> cancel, const std::optional<py::function>& progress) {
+                                  const GivenFiles& files, std::shared_ptr<Cancel> cancel,
+                                  const std::optional<py::function>& progress) {
     Job job{.scene = std::move(scene), .view = view, .style = style, .options = options};
     if (overrides) job.overrides = overrides->overrides;
     job.assets = std::move(assets);
@@ -70,6 +72,7 @@ std::shared_ptr<Frame> make_frame(std::shared_ptr<Scene> scene, const View& view
     if (colors) job.colors = *colors;
     job.near.assign(near.begin(), near.end());
     job.exposure = std::move(exposure);
+    job.files.insert(files.begin(), files.end());
     if (cancel) job.cancel = std::move(cancel);
     if (progress)
         job.progress = [heard = *progress](double share, const std::string& stage) {
@@ -200,10 +203,10 @@ void bind_steps(FrameClass& frame) {
             py::init(&make_frame), py::arg("scene"), py::arg("view"), py::arg("style"), py::kw_only(),
             py::arg("options") = Options(), py::arg("assets") = nullptr, py::arg("backend") = nullptr,
             py::arg("overrides") = nullptr, py::arg("colors") = nullptr, py::arg("near") = Near(),
-            py::arg("exposure") = nullptr, py::arg("cancel") = nullptr, py::arg("progress") = py::none(),
-            py::keep_alive<1, 7>(), py::keep_alive<1, 8>(),
+            py::arg("exposure") = nullptr, py::arg("files") = GivenFiles(), py::arg("cancel") = nullptr,
+            py::arg("progress") = py::none(), py::keep_alive<1, 7>(), py::keep_alive<1, 8>(),
             R"(near: {how many frames later another is: its NearLines}; exposure: an Exposure, whose ink is drawn in place of
-the frame's own; progress(share, stage) is called before each stage.)")
+the frame's own; files: {path as the style has it: FileContent}, others are missing; progress(share, stage) is called before each stage.)")
         .def("find", &Frame::find, NoGil())
         .def("see", &Frame::see, NoGil())
         .def("filter", &Frame::filter, NoGil())

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Local properties of pixels, models that learn from drawings by them, and lines of what these find likely.
 #include <fovea/study/learn.h>
+#include <fovea/study/model_likelihood.h>
 #include <fovea/study/probable_lines.h>
 
 #include "bindings/arrays.h"
@@ -101,6 +102,13 @@ void bind_learn(py::module_& m) {
             "kind",
             [](const LineModel& self) { return py::str(style::choices_of<LineModel::Kind>[int(self.kind)].name); })
         .def_readonly("threshold", &LineModel::threshold, "Probability from which on there are lines")
+        .def_property_readonly(
+            "content",
+            [](const LineModel& self) {
+                return std::const_pointer_cast<FileContent>(
+                    std::static_pointer_cast<const FileContent>(study::likelihood_of(self)));
+            },
+            "As FileContent of a line definition.")
         .def(
             "with_threshold",
             [](LineModel self, double threshold) {

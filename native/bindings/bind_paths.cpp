@@ -21,6 +21,13 @@ py::list parameters_of(const LineDefinition& definition) {
     return parameters;
 }
 
+/// A definition's file; None: it is given none.
+py::object file_of(const LineDefinition& definition) {
+    if (!definition.file) return py::none();
+    return py::dict(py::arg("name") = definition.file->name, py::arg("label") = definition.file->label,
+                    py::arg("suffix") = definition.file->suffix, py::arg("meaning") = definition.file->meaning);
+}
+
 /// {definition: {parameter: value}} that replace a definition in drafts.
 py::dict stand_ins_of(const LineDefinition& definition) {
     py::dict result;
@@ -40,6 +47,7 @@ py::typing::List<py::typing::Dict<std::string, py::object>> definitions() {
             py::arg("name") = definition->name, py::arg("label") = definition->label,
             py::arg("scope") = value_to(definition->scope), py::arg("source") = definition->source,
             py::arg("description") = definition->description, py::arg("parameters") = parameters_of(*definition),
+            py::arg("file") = file_of(*definition),
             py::arg("in_image") = std::holds_alternative<ImageRule>(definition->rule),
             py::arg("view_dependent") = definition->scope >= Scope::view,
             py::arg("importance") = definition->importance, py::arg("slow") = definition->slow,
@@ -55,6 +63,8 @@ py::typing::List<py::typing::Dict<std::string, py::object>> definitions() {
 void bind_paths(py::module_& m) {
     m.def("line_definitions", &definitions,
           "The registry: one dict per definition, in the order of its bits, with its parameters.");
+    py::class_<FileContent, std::shared_ptr<FileContent>>(m, "FileContent",
+                                                          "What a file says that a line definition is given.");
 
     py::class_<Paths, std::shared_ptr<Paths>> paths(m, "Paths",
                                                     "Segments chained into paths, in object space; N points, P paths.");

@@ -35,6 +35,19 @@ struct Member<style::Unknown> {
     static py::module_ json() { return py::module_::import("json"); }
 };
 
+/// A number, or a text of a file's path.
+template <>
+struct Member<ParameterValue> {
+    using Python = py::object;
+    static ParameterValue from(const py::handle& given) {
+        if (py::isinstance<py::str>(given)) return {given.cast<std::string>()};
+        return {given.cast<double>()};
+    }
+    static Python to(const ParameterValue& value) {
+        return value.file.empty() ? py::object(py::float_(value.number)) : py::object(py::str(value.file));
+    }
+};
+
 namespace {
 
 style::Style read(const std::string& json, std::vector<std::string> textures, std::vector<std::string> papers) {

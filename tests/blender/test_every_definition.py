@@ -48,6 +48,18 @@ def blend(tmp_path_factory):
     return path
 
 
+def words_for(blend, name):
+    """Options of `fovea draw` that give a definition the file that it needs: a model of what is seen from its side."""
+    file = part("catalogue").by_name()[name]["file"]
+    if not file:
+        return []
+    path = blend.with_name("model.json")
+    core, rows = part("native").load(), np.random.default_rng(1).uniform(-1, 1, (4000, 15)).astype(np.float32)
+    facing = rows[:, [name for name, _ in core.LocalProperties.names].index("facing")]
+    path.write_text(core.LineModel("tree", rows, np.float32(facing < 0.4), np.ones(4000, np.float32)).json())
+    return ["--param", f"{name}.{file['name']}={path}"]
+
+
 def said(output):
     """Lines of Blender's that report something."""
     return [line for line in output.splitlines() if any(word in line for word in ("Error", "Warning", "Info:"))]
@@ -62,7 +74,7 @@ def drawn(blend):
         if (backend, name) not in kept:
             path = blend.with_name(f"{name}-{backend}.png")
             capfd.readouterr()
-            draw.main([str(blend), "-o", str(path), "--lines", name, "--backend", backend])
+            draw.main([str(blend), "-o", str(path), "--lines", name, "--backend", backend, *words_for(blend, name)])
             kept[backend, name] = ink(pixels_of(path)), said("".join(capfd.readouterr()))
         return kept[backend, name]
 
@@ -107,7 +119,8 @@ def test_the_gpu_draws_every_definition_as_the_cpu_does(drawn, name, capfd):
 @pytest.fixture(scope="module")
 def contact_sheet(blend):
     path = blend.with_name("sheet.png")
-    draw.main([str(blend), "-o", str(path), "--sheet", "--lines", "all", "--size", f"{TILE[0]}x{TILE[1]}"])
+    given = [word for name in NAMES for word in words_for(blend, name)]
+    draw.main([str(blend), "-o", str(path), "--sheet", "--lines", "all", "--size", f"{TILE[0]}x{TILE[1]}", *given])
     return path
 
 

@@ -41,6 +41,14 @@ def test_every_parameter_is_a_property_with_the_registrys_limits(scene, definiti
     assert (prop.subtype == "ANGLE") == (parameter["unit"] == "degrees")
 
 
+@pytest.mark.parametrize("definition", [d for d in catalogue.definitions() if d["file"]], ids=lambda d: d["name"])
+def test_every_file_is_a_property_of_a_path(scene, definition):
+    file = definition["file"]
+    prop = lines_of(scene).kinds.bl_rna.properties[f"{definition['name']}_{file['name']}"]
+    assert (prop.name, prop.description, prop.subtype) == (file["label"], file["meaning"], "FILE_PATH")
+    assert prop.default == ""
+
+
 def test_an_object_may_do_without_every_definition_that_is_of_objects(scene):
     obj = new_object(bpy.data.meshes.new("Mesh"))
     own_lines, kinds = part("scene.own_lines"), obj.fovea.kinds

@@ -14,7 +14,7 @@ using namespace fovea::shadows;
 
 namespace {
 
-using Given = std::vector<std::pair<std::string, double>>;
+using Given = std::vector<std::pair<std::string, ParameterValue>>;
 
 constexpr double from_camera = 0, from_world = 1, from_object = 2;
 constexpr double spacing = 7.0;

@@ -85,6 +85,7 @@ Values values_of(const LineDefinition& definition) {
                          : on_surface && name == "length" ? 0.0
                                                           : p.value);
     }
+    values.file = quick_values(definition).file;
     return values;
 }
 

@@ -45,6 +45,28 @@ TEST(Style, WhatIsNotKnownIsKeptInItsPlaceAndNullIsNone) {
     EXPECT_EQ(read_style(write_style(style)), style);
 }
 
+TEST(Style, AFileOfALineDefinitionIsRestoredAndMayNotLeaveTheFolder) {
+    const auto with = [](const std::string& file) {
+        return R"("line_sets": [{"kinds": {"learned_line": {"threshold": 0.5, "model": )" + file + "}}}]";
+    };
+    const Style style = read(with(R"("models/artist.json")"));
+    const Parameters expected = {{"threshold", 0.5}, {"model", std::string("models/artist.json")}};
+    EXPECT_EQ(style.line_sets[0].kinds[0].second, expected);
+    EXPECT_TRUE(style.kept.empty());
+    EXPECT_EQ(read_style(write_style(style)), style);
+    const std::string where = "line_sets[0].kinds.learned_line.model must be the name of a file";
+    for (const char* outside : {"../a.json", "/a.json", "models/../../a.json", "C:a.json", "..\\\\a.json", ".."})
+        EXPECT_TRUE(refused([&] { read(with('"' + std::string(outside) + '"')); }).starts_with(where)) << outside;
+    for (const char* no_file : {"3", "null", R"("")", R"("artist.png")", R"("a\n.json")"})
+        EXPECT_TRUE(refused([&] { read(with(no_file)); }).starts_with(where)) << no_file;
+    // Of Blender, where a style is no file.
+    EXPECT_EQ(checked_parameters("learned_line", {{"model", std::string("/home/a.json")}}, "lines").size(), 1u);
+    // Between two styles a file is that of the nearer one.
+    const Style other = read(with(R"("other.json")"));
+    EXPECT_EQ(mix(style, other, 0.4).line_sets[0].kinds[0].second, expected);
+    EXPECT_EQ(mix(style, other, 0.6).line_sets[0].kinds[0].second[1].second.file, "other.json");
+}
+
 TEST(Style, WhatHasTheWrongTypeOrIsOutOfItsRangeIsNamed) {
     const auto of = [](const std::string& parts) { return said(R"({"schema": 1, "line_sets": [{}], )" + parts + "}"); };
     EXPECT_EQ(of(R"("paper": {"tooth": "sharp"})"), "paper.tooth must be a number");

@@ -59,7 +59,8 @@ def test_a_definition_has_a_page_with_its_label_source_and_picture(name):
 @pytest.mark.parametrize("name", DEFINITIONS)
 def test_a_page_has_the_parameters_of_the_registry_and_no_other(name):
     told = [cells[0].strip("`") for cells in rows(page(name)) if cells[0].startswith("`")]
-    assert told == [parameter["name"] for parameter in DEFINITIONS[name]["parameters"]]
+    file = DEFINITIONS[name]["file"]
+    assert told == [parameter["name"] for parameter in (*DEFINITIONS[name]["parameters"], *([file] if file else []))]
 
 
 @pytest.mark.parametrize("name, parameter", PARAMETERS, ids=lambda v: v if isinstance(v, str) else v["name"])
@@ -68,6 +69,13 @@ def test_a_parameter_has_its_unit_default_and_range(name, parameter):
     low, value, high = (shown(parameter[key], parameter["unit"]) for key in ("min", "default", "max"))
     assert unit == UNITS.get(parameter["unit"], parameter["unit"]) and default == value and len(meaning) > 15
     assert limits == ("on or off" if parameter["unit"] == "bool" else f"{low} to {high}")
+
+
+@pytest.mark.parametrize("name", [name for name, definition in DEFINITIONS.items() if definition["file"]])
+def test_a_file_has_its_suffix(name):
+    file = DEFINITIONS[name]["file"]
+    _, meaning, unit, default, limits = row(page(name), file["name"])
+    assert (unit, default, limits) == ("file", "none", f"ends in {file['suffix']}") and len(meaning) > 15
 
 
 @pytest.mark.parametrize("page", tables.pages(catalogue, style), ids=lambda path: path.stem)

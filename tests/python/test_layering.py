@@ -59,7 +59,8 @@ MODULES = {
     "frame_records": "held_folder",
     "held_folder": "",
     "native": "_native",
-    "style": "catalogue native",
+    "style": "catalogue line_files native",
+    "line_files": "catalogue files learned_lines",
     "catalogue": "native",
     "line_arrays": "native",
     "comparison": "native paper_scale registered_drawing svg_drawing",
@@ -75,7 +76,7 @@ MODULES = {
     "heat_map": "",
     "still_life": "",
     "curve_fit": "native",
-    "pipeline": "native stages style",
+    "pipeline": "line_files native stages style",
     "budget": "catalogue",
     "moved_picture": "",
 }

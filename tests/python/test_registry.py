@@ -9,7 +9,7 @@ from addon import catalogue, native, style
 
 DEFINITIONS = {definition["name"]: definition for definition in catalogue.definitions()}
 PARAMETERS = [(name, parameter) for name, d in DEFINITIONS.items() for parameter in d["parameters"]]
-ABSENT = {"edge_mark", "intersection", "section_cut", "section_hatch"}  # what one model of an OBJ file cannot have
+ABSENT = {"edge_mark", "intersection", "section_cut", "section_hatch", "learned_line"}  # what an OBJ file cannot have
 
 
 def of_parameter(value):
@@ -77,7 +77,9 @@ def test_a_value_out_of_range_is_refused_with_the_range(extract, name, parameter
 
 @pytest.mark.parametrize("name", DEFINITIONS)
 def test_an_unknown_parameter_is_refused_with_the_known_ones(extract, name):
-    known = ", ".join(sorted(p["name"] for p in DEFINITIONS[name]["parameters"])) or "none"
+    file = DEFINITIONS[name]["file"]
+    declared = [*DEFINITIONS[name]["parameters"], *([file] if file else [])]
+    known = ", ".join(sorted(p["name"] for p in declared)) or "none"
     with pytest.raises(ValueError, match=f"unknown keys: shininess; known are: {known}"):
         extract("--definition", name, "--param", "shininess=1")
 
@@ -109,6 +111,9 @@ def test_a_misspelt_definition_is_refused_with_all_names():
 
 def test_a_style_may_name_every_definition_with_every_parameter():
     kinds = {name: {p["name"]: p["default"] for p in d["parameters"]} for name, d in DEFINITIONS.items()}
+    for name, definition in DEFINITIONS.items():
+        if file := definition["file"]:
+            kinds[name][file["name"]] = f"models/artist{file['suffix']}"
     everything = style.Style(line_sets=(style.LineSet(kinds=kinds),))
     assert style.parse(style.dump(everything)) == everything
 
@@ -128,5 +133,6 @@ def test_every_definition_says_what_it_is(name):
     assert name.isidentifier() and name == name.lower()
     texts = [definition["label"], definition["source"], definition["description"]]
     texts += [p[key] for p in definition["parameters"] for key in ("label", "meaning")]
+    texts += [definition["file"][key] for key in ("label", "meaning")] if definition["file"] else []
     assert all(text.strip() == text and text[:1].isupper() for text in texts), texts
     assert all(p["min"] <= p["default"] <= p["max"] for p in definition["parameters"])

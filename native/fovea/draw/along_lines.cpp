@@ -40,7 +40,7 @@ std::optional<Transfer> if_any(const style::Transfer& transfer, double emphasis 
 
 }  // namespace
 
-std::vector<LineSet> line_sets_of(const style::Style& style, const Overrides& overrides) {
+std::vector<LineSet> line_sets_of(const style::Style& style, const Overrides& overrides, const Files& files) {
     check(overrides.line_sets.empty() || overrides.line_sets.size() == style.line_sets.size(),
           "overrides: expected filters for each line set");
     std::vector<LineSet> sets;
@@ -52,7 +52,7 @@ std::vector<LineSet> line_sets_of(const style::Style& style, const Overrides& ov
             for (const auto& [name, parameters] : given.kinds) {
                 const Index definition = definition_index(name);
                 const LineDefinition& known = *line_definitions()[definition];
-                set.kinds.push_back({definition, on_page(known, values_of(known, parameters), style.paper)});
+                set.kinds.push_back({definition, on_page(known, values_of(known, parameters, files), style.paper)});
             }
         if (!overrides.line_sets.empty()) {
             set.placements = overrides.line_sets[sets.size()].placements;

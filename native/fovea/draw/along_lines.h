@@ -11,8 +11,9 @@
 
 namespace fovea::draw {
 
-/// The line sets of a style, for one scene's placements. Throws std::invalid_argument for unknown line definitions.
-std::vector<LineSet> line_sets_of(const style::Style& style, const Overrides& overrides);
+/// The line sets of a style, for one scene's placements, with the files that its definitions are given. Throws
+/// std::invalid_argument for unknown line definitions.
+std::vector<LineSet> line_sets_of(const style::Style& style, const Overrides& overrides, const Files& files = {});
 
 /// Per path: the value of its line set in `of_set` [reference px], in pixels; `scale`: pixels per reference pixel.
 Array<float> by_path(const Paths& paths, double scale, const std::vector<double>& of_set);

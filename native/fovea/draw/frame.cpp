@@ -72,7 +72,7 @@ void Frame::find() {
     stage("bvh", 0.2, [&] { rays(); });
     const double step_px = std::max(job.options.sample_step * scale(), least_sample_step_px);
     stage("lines", 0.1, [&] {
-        const std::vector<path::LineSet> sets = line_sets_of(job.style, job.overrides);
+        const std::vector<path::LineSet> sets = line_sets_of(job.style, job.overrides, job.files);
         path::check_filters(job.scene->placements.size(), sets, job.overrides.lines);
         const SharedSets shared = shared_by_light(sets, job.style);
         Paths found = extract_paths(*job.scene, job.view, shared.sets, *tracer, cancel(), job.overrides.lines,

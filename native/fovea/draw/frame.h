@@ -45,6 +45,7 @@ struct Job {
     style::Style style;
     Options options = {};
     Overrides overrides = {};
+    Files files = {};  ///< that definitions of the style are given, by its paths; what is missing finds no lines
     std::shared_ptr<const Assets> assets = {};
     std::shared_ptr<Backend> backend = {};
     std::optional<ColorSources> colors = {};        ///< none: no color layer, whatever the style says

@@ -20,31 +20,12 @@ const auto parameters =
 
 constexpr double white = 1.0;  // tone of the background, before which the outline of a round shape is a thin dark area
 
-struct Node {
-    vec2 direction;  // principal direction of the tone
-    float slope;     // derivative along it
-    float depth;     // curvature times sigma squared: at a distance of sigma the tone is half of this above a valley
-};
-
+/// The curvature times sigma squared: at a distance of sigma the tone is half of this above a valley.
 Curves trace(const FrameView& frame, const SmoothTone& tone, const ImageValues& values, float sign) {
-    // Triangles in which the principal direction turns by more than about 45 degrees have no line.
-    constexpr float least_cosine = 0.7f;
-    const Array<Node> nodes = per_node<Node>(tone.lattice(), [&](int x, int y) {
-        const LocalFit fit = fit_at(tone.value, tone.lattice(), x, y);
-        const Bend bend = greatest_bend(fit, sign);
-        return Node{bend.direction, sign * glm::dot(fit.gradient, bend.direction),
-                    bend.curvature * float(steps_per_sigma * steps_per_sigma)};
-    });
-    const auto cosine = [&](Index a, Index b) { return glm::dot(nodes[a].direction, nodes[b].direction); };
-    const auto agree = [&](const LatticeTriangle& triangle) {
-        const auto& n = triangle.node;
-        return std::abs(cosine(n[0], n[1])) > least_cosine && std::abs(cosine(n[1], n[2])) > least_cosine &&
-               std::abs(cosine(n[2], n[0])) > least_cosine;
+    const auto depth = [](Index, const Bend& bend) {
+        return bend.curvature * float(steps_per_sigma * steps_per_sigma);
     };
-    const auto depth = [&](Index i) { return nodes[i].depth; };
-    // Directions have no sign: flip the others to agree with that of the first node.
-    const auto slope = [&](Index first, Index i) { return cosine(first, i) < 0.0f ? -nodes[i].slope : nodes[i].slope; };
-    return trace_in_image(frame, tone, values, depth, agree, slope);
+    return trace_bends(frame, tone, values, sign, depth);
 }
 
 Curves find(const FrameView& frame, const AbstractedShading& values) {

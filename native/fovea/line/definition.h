@@ -124,6 +124,8 @@ struct LineDefinition {
     /// In (0, 1]: among lines that crowd each other, the more important is kept (elision/priority.h).
     double importance;
     std::vector<Parameter> parameters = {};
+    /// Only definitions that depend on the scene are given one: what surfaces keep does not know of files.
+    std::optional<FileParameter> file = {};
     std::variant<EdgeRule, CurveRule, SceneRule, ImageRule> rule;
     /// For a definition on mesh edges: the same line on the smooth surface, which replaces this one where both are
     /// drawn.

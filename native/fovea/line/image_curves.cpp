@@ -17,6 +17,14 @@ namespace {
 constexpr int reach = 8;
 constexpr double least_length = 5.0 * steps_per_sigma;
 
+std::uint64_t bits_of(double value) { return std::bit_cast<std::uint64_t>(value); }
+
+/// Of the shaded scene.
+std::uint64_t key_of(const ImageValues& values) {
+    const Lamp lamp = values.lamp();
+    return hash_numbers(bits_of(values.sigma), bits_of(lamp.right), bits_of(lamp.up));
+}
+
 SmoothTone make_tone(const FrameView& frame, bool outline, double background,
                      std::shared_ptr<const ShadedBuffer> shaded) {
     SmoothTone tone{std::move(shaded), {}};
@@ -75,16 +83,16 @@ DisjointSets join_at_sides(const Curves& pieces) {
 
 }  // namespace
 
+std::shared_ptr<const ShadedBuffer> shaded_scene(const FrameView& frame, const ImageValues& values) {
+    return frame.shared.get<ShadedBuffer>(key_of(values), [&] {
+        const Lattice lattice = lattice_over(frame.tracer.view(), values.sigma / steps_per_sigma, reach);
+        return shade(frame.tracer, lattice, values.lamp(), frame.cancel);
+    });
+}
+
 std::shared_ptr<const SmoothTone> smooth_tone(const FrameView& frame, const ImageValues& values, double background) {
-    const auto bits = [](double value) { return std::bit_cast<std::uint64_t>(value); };
-    const Lamp lamp = values.lamp();
-    const std::uint64_t key = hash_numbers(bits(values.sigma), bits(lamp.right), bits(lamp.up));
-    return frame.shared.get<SmoothTone>(hash_numbers(key, values.outline, bits(background)), [&] {
-        auto shaded = frame.shared.get<ShadedBuffer>(key, [&] {
-            const Lattice lattice = lattice_over(frame.tracer.view(), values.sigma / steps_per_sigma, reach);
-            return shade(frame.tracer, lattice, lamp, frame.cancel);
-        });
-        return make_tone(frame, values.outline, background, std::move(shaded));
+    return frame.shared.get<SmoothTone>(hash_numbers(key_of(values), values.outline, bits_of(background)), [&] {
+        return make_tone(frame, values.outline, background, shaded_scene(frame, values));
     });
 }
 

@@ -40,6 +40,9 @@ Parameters<P> image_parameters(double threshold, const char* meaning, double sig
              "Direction of the light, upwards from the viewer"}};
 }
 
+/// The scene, shaded on a lattice with steps_per_sigma steps to the smoothing's sigma; shared by definitions.
+std::shared_ptr<const ShadedBuffer> shaded_scene(const FrameView& frame, const ImageValues& values);
+
 /// The shaded scene after Gaussian smoothing. With `outline`, uncovered parts have the background's tone; else they
 /// have weight zero (normalized convolution: Knutsson & Westin, CVPR 1993), and the value is NaN where the weighted
 /// coverage is 1 % or less.
@@ -111,6 +114,36 @@ Curves trace_in_image(const FrameView& frame, const SmoothTone& tone, const Imag
         if (count == 2) append_trimmed(place, triangle.number, {ends[0], ends[1]}, margin, strength, out);
     };
     return lift(frame, *tone.shaded, collect_in_lattice(lattice, emit));
+}
+
+/// Traces valleys (sign 1) or ridges (-1) of the value: minima or maxima along the direction of greatest curvature.
+/// measure(node, bend): what is compared with the thresholds.
+template <typename Measure>
+Curves trace_bends(const FrameView& frame, const SmoothTone& tone, const ImageValues& values, float sign,
+                   const Measure& measure) {
+    struct Node {
+        vec2 direction;  // principal direction of the value
+        float slope;     // derivative along it
+        float measure;
+    };
+    // Triangles in which the principal direction turns by more than about 45 degrees have no line.
+    constexpr float least_cosine = 0.7f;
+    const Array<Node> nodes = per_node<Node>(tone.lattice(), [&](int x, int y) {
+        const LocalFit fit = fit_at(tone.value, tone.lattice(), x, y);
+        const Bend bend = greatest_bend(fit, sign);
+        return Node{bend.direction, sign * glm::dot(fit.gradient, bend.direction),
+                    measure(Index(tone.lattice().at(x, y)), bend)};
+    });
+    const auto cosine = [&](Index a, Index b) { return glm::dot(nodes[a].direction, nodes[b].direction); };
+    const auto agree = [&](const LatticeTriangle& triangle) {
+        const auto& n = triangle.node;
+        return std::abs(cosine(n[0], n[1])) > least_cosine && std::abs(cosine(n[1], n[2])) > least_cosine &&
+               std::abs(cosine(n[2], n[0])) > least_cosine;
+    };
+    const auto of_node = [&](Index i) { return nodes[i].measure; };
+    // Directions have no sign: flip the others to agree with that of the first node.
+    const auto slope = [&](Index first, Index i) { return cosine(first, i) < 0.0f ? -nodes[i].slope : nodes[i].slope; };
+    return trace_in_image(frame, tone, values, of_node, agree, slope);
 }
 
 }  // namespace fovea::line

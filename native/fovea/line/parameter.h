@@ -4,6 +4,8 @@
 #pragma once
 
 #include <initializer_list>
+#include <map>
+#include <memory>
 #include <string>
 #include <type_traits>
 #include <variant>
@@ -29,8 +31,45 @@ struct Parameter {
     Per per = Per::line_set;
 };
 
-/// Values of a definition's parameters, in order of declaration.
-using Values = std::vector<double>;
+/// What a file says that a definition is given. What kinds of files there are say the classes that derive from it.
+struct FileContent {
+    FileContent() = default;
+    FileContent(const FileContent&) = delete;
+    FileContent& operator=(const FileContent&) = delete;
+    virtual ~FileContent() = default;
+};
+
+/// By the paths that name them.
+using Files = std::map<std::string, std::shared_ptr<const FileContent>>;
+
+/// Declaration of a file that a definition is given; without one it finds nothing.
+struct FileParameter {
+    const char* name;
+    const char* label;
+    const char* suffix;  ///< of the file's name, in lower case
+    const char* meaning;
+};
+
+/// A parameter as styles have it: a number, or the path of a file.
+struct ParameterValue {
+    double number = 0.0;
+    std::string file = {};  ///< empty: it is a number
+
+    ParameterValue() = default;
+    ParameterValue(double value) : number(value) {}
+    ParameterValue(std::string path) : file(std::move(path)) {}
+    bool operator==(const ParameterValue&) const = default;
+};
+
+/// Values of a definition's parameters, in order of declaration, and what its file says.
+class Values : public std::vector<double> {
+   public:
+    using std::vector<double>::vector;
+
+    std::shared_ptr<const FileContent> file = {};  ///< null: there is none, or it could not be read
+
+    bool operator==(const Values&) const = default;
+};
 
 /// A parameter and the member of the definition's struct P (double, int or bool) that stores it.
 template <typename P>

@@ -36,7 +36,8 @@
     define(section_hatch)              \
     define(light_contour)              \
     define(cast_shadow)                \
-    define(hatching)
+    define(hatching)                   \
+    define(learned_line)
 // clang-format on
 
 namespace fovea::line {
@@ -112,13 +113,19 @@ Index definition_index(std::string_view name) {
 
 const LineDefinition& definition_called(std::string_view name) { return *line_definitions()[definition_index(name)]; }
 
-Values values_of(const LineDefinition& definition, std::span<const std::pair<std::string, double>> given) {
+Values values_of(const LineDefinition& definition, std::span<const std::pair<std::string, ParameterValue>> given,
+                 const Files& files) {
     Values values = default_values(definition);
     for (const auto& [name, value] : given) {
+        if (definition.file && name == definition.file->name) {
+            const auto found = files.find(value.file);
+            if (found != files.end()) values.file = found->second;
+            continue;
+        }
         const auto known = std::ranges::find_if(definition.parameters, [&](const auto& p) { return p.name == name; });
         check(known != definition.parameters.end(),
               std::string(definition.name) + ": unknown parameter '" + name + "'");
-        values[known - definition.parameters.begin()] = value;
+        values[known - definition.parameters.begin()] = value.number;
     }
     return values;
 }

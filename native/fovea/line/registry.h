@@ -20,9 +20,10 @@ const std::vector<const LineDefinition*>& line_definitions();
 Index definition_index(std::string_view name);
 const LineDefinition& definition_called(std::string_view name);
 
-/// Parameter values of a definition, in its order, from (name, value) pairs; others have their defaults. Throws
-/// std::invalid_argument for an unknown name.
-Values values_of(const LineDefinition& definition, std::span<const std::pair<std::string, double>> given);
+/// Parameter values of a definition, in its order, from (name, value) pairs; others have their defaults. Its file is
+/// that of `files`, or none. Throws std::invalid_argument for an unknown name.
+Values values_of(const LineDefinition& definition, std::span<const std::pair<std::string, ParameterValue>> given,
+                 const Files& files = {});
 
 /// The bit of a definition.
 Kinds kind_of(const LineDefinition& definition);

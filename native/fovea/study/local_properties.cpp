@@ -26,22 +26,29 @@ double scale_of(const View& view) { return glm::length(dvec2(view.width, view.he
 
 float& at(PropertyRow& row, Property property) { return row[std::size_t(property)]; }
 
-/// Properties of the image.
-void add_image(const Tracer& tracer, const Cancel& cancel, LocalProperties& found) {
-    const View& view = tracer.view();
-    const double sigma = blur * scale_of(view);
-    const int border = int(std::ceil(3.5 * sigma)) + image::fit_reach;
-    const image::Lattice lattice{dvec2(0.5 - border), 1.0, view.width + 2 * border, view.height + 2 * border};
-    const image::ShadedBuffer shaded = image::shade(tracer, lattice, {}, cancel);
+/// The nodes of a shaded scene that properties are of.
+struct Nodes {
+    const image::ShadedBuffer& shaded;
+    int border;
+    int width = shaded.lattice.width - 2 * border, height = shaded.lattice.height - 2 * border;
+
+    std::size_t number(int x, int y) const { return std::size_t(y) * std::size_t(width) + std::size_t(x); }
+    dvec2 px(int x, int y) const { return shaded.lattice.px(dvec2(x + border, y + border)); }
+};
+
+/// Properties of the image. `sigma`: the blur, in steps.
+void add_image(const Nodes& nodes, double sigma, LocalProperties& found) {
+    const image::ShadedBuffer& shaded = nodes.shaded;
+    const image::Lattice& lattice = shaded.lattice;
     image::Buffer tone(lattice.size());
     parallel_for(tone.size(), [&](std::size_t i) { tone[i] = shaded.tone[i] + (1.0f - shaded.coverage[i]) * white; });
     const image::Buffer smooth = image::gaussian(tone, lattice.width, lattice.height, sigma);
     const auto unit = float(sigma);
-    parallel_for(std::size_t(view.height), 8, [&](std::size_t y) {
-        for (int x = 0; x < view.width; ++x) {
-            const int i = x + border, j = int(y) + border;
+    parallel_for(std::size_t(nodes.height), 8, [&](std::size_t y) {
+        for (int x = 0; x < nodes.width; ++x) {
+            const int i = x + nodes.border, j = int(y) + nodes.border;
             const image::LocalFit fit = image::fit_at(smooth, lattice, i, j);
-            PropertyRow& row = found.rows[y * std::size_t(view.width) + std::size_t(x)];
+            PropertyRow& row = found.rows[nodes.number(x, int(y))];
             at(row, Property::luminance) = tone[lattice.at(i, j)];
             at(row, Property::image_gradient) = unit * glm::length(fit.gradient);
             at(row, Property::image_most_curvature) = unit * unit * image::greatest_bend(fit, 1.0f).curvature;
@@ -124,17 +131,17 @@ void set_surface(const Placed& placed, const Hit& hit, bool from_back, bool orth
     set(Property::radial_torsion, radial.torsion);
 }
 
-void add_surfaces(const Tracer& tracer, const Cancel& cancel, LocalProperties& found) {
+void add_surfaces(const Tracer& tracer, const Nodes& nodes, const Cancel& cancel, LocalProperties& found) {
     const View& view = tracer.view();
     const std::vector<Placed> placed = placed_of(tracer, cancel);
     const dmat4 clip_to_view = glm::inverse(view.view_to_clip);
-    parallel_for(std::size_t(view.height), 1, [&](std::size_t y) {
+    parallel_for(std::size_t(nodes.height), 1, [&](std::size_t y) {
         cancel.poll();
-        for (std::size_t x = 0; x < std::size_t(view.width); ++x) {
-            const dvec2 px(double(x) + 0.5, double(y) + 0.5);
+        for (int x = 0; x < nodes.width; ++x) {
+            const dvec2 px = nodes.px(x, int(y));
             const auto hit = tracer.seen(px);
             if (!hit || !placed[hit->placement].surface) continue;
-            const std::size_t i = y * std::size_t(view.width) + x;
+            const std::size_t i = nodes.number(x, int(y));
             const vec3 to_eye =
                 view.orthographic ? vec3(0, 0, 1) : vec3(glm::normalize(-from_pixels(view, clip_to_view, px, 1.0)));
             const auto [facing, from_back] = facing_at(tracer, placed[hit->placement], *hit, to_eye);
@@ -163,17 +170,26 @@ void widen(double distance, LocalProperties& found) {
 
 }  // namespace
 
-LocalProperties local_properties(const Tracer& tracer, const Cancel& cancel) {
-    tracer.check_current();
-    const View& view = tracer.view();
-    LocalProperties found{Bitmap(view.width, view.height), {}};
+LocalProperties local_properties(const Tracer& tracer, const image::ShadedBuffer& shaded, int border,
+                                 const Cancel& cancel) {
+    const Nodes nodes{shaded, border};
+    const double scale = scale_of(tracer.view()) / shaded.lattice.step_px;
+    LocalProperties found{Bitmap(nodes.width, nodes.height), {}};
     found.rows.assign(found.known.set.size(), PropertyRow{});
-    add_image(tracer, cancel, found);
-    add_surfaces(tracer, cancel, found);
-    widen(around * scale_of(view), found);
+    add_image(nodes, blur * scale, found);
+    add_surfaces(tracer, nodes, cancel, found);
+    widen(around * scale, found);
     for (std::size_t i = 0; i < found.rows.size(); ++i)
         if (!found.known.set[i]) found.rows[i] = {};
     return found;
+}
+
+LocalProperties local_properties(const Tracer& tracer, const Cancel& cancel) {
+    tracer.check_current();
+    const View& view = tracer.view();
+    const int border = int(std::ceil(3.5 * blur * scale_of(view))) + image::fit_reach;
+    const image::Lattice lattice{dvec2(0.5 - border), 1.0, view.width + 2 * border, view.height + 2 * border};
+    return local_properties(tracer, image::shade(tracer, lattice, {}, cancel), border, cancel);
 }
 
 }  // namespace fovea::study

@@ -6,6 +6,7 @@
 #include <array>
 
 #include <fovea/base/cancel.h>
+#include <fovea/image/shaded_buffer.h>
 #include <fovea/scene/tracer.h>
 #include <fovea/study/bitmap.h>
 
@@ -67,8 +68,8 @@ static_assert(std::size_t(Property::radial_torsion) + 1 == property_count);
 /// One per property.
 using PropertyRow = std::array<float, property_count>;
 
-/// Pixels, bottom row first. `known`: where a surface is seen whose lines are drawn, or is so near that lines of its
-/// outline may lie there; these pixels have its nearest pixel's properties of the surface and the view. Others are 0.
+/// Pixels or nodes, bottom row first. `known`: where a surface is seen whose lines are drawn, or is so near that lines
+/// of its outline may lie there; these have its nearest one's properties of the surface and the view. Others are 0.
 struct LocalProperties {
     Bitmap known;
     Array<PropertyRow> rows;
@@ -76,5 +77,10 @@ struct LocalProperties {
 
 /// Of the middles of the pixels of the tracer's view.
 LocalProperties local_properties(const Tracer& tracer, const Cancel& cancel);
+
+/// Of the nodes of the lattice of its scene, shaded by a lamp at the eye, but of `border` nodes at each side, at least
+/// image::fit_reach.
+LocalProperties local_properties(const Tracer& tracer, const image::ShadedBuffer& shaded, int border,
+                                 const Cancel& cancel);
 
 }  // namespace fovea::study

@@ -18,7 +18,8 @@ struct Shipped {
 };
 
 /// Parses a style file. Missing values take their defaults; those of an out-of-focus pen take the values of the pen in
-/// focus. Unknown values are preserved (Style::kept). Throws std::invalid_argument with a sentence that names the value
+/// focus. Unknown values are preserved (Style::kept). Files that definitions are given have paths relative to the
+/// style's own folder, none of which leave it. Throws std::invalid_argument with a sentence that names the value
 /// with a wrong type or out of range. `shipped`, if not null, restricts which textures and papers may be named.
 Style read_style(std::string_view json, const Shipped* shipped = nullptr);
 

@@ -39,7 +39,9 @@ bool is_name(const std::string& text, std::size_t most) {
 /// Reads records, and tracks the path of the current value for messages.
 class Reader {
    public:
-    Reader(const Shipped* shipped, std::vector<Unknown>& unknown) : shipped_(shipped), unknown_(unknown) {}
+    /// `is_file`: it reads a style file, whose other files lie beside it.
+    Reader(const Shipped* shipped, std::vector<Unknown>& unknown, bool is_file)
+        : shipped_(shipped), unknown_(unknown), is_file_(is_file) {}
 
     template <Record S>
     void read(const JsonValue& json, S& record) {
@@ -61,9 +63,15 @@ class Reader {
     Parameters parameters(const JsonValue& json, const LineDefinition& definition) {
         expect(json.type == Type::object, "must map parameters to numbers");
         Parameters found;
-        read_known(json, definition.parameters, &Parameter::name, [&](const JsonValue& value, const Parameter& known) {
-            found.emplace_back(known.name, value_of(value, known));
-        });
+        const char* of_file = definition.file ? definition.file->name : "";
+        read_known(
+            json, definition.parameters, &Parameter::name,
+            [&](const JsonValue& value, const Parameter& known) {
+                found.emplace_back(known.name, value_of(value, known));
+            },
+            of_file);
+        const JsonValue* file = definition.file ? json.at(Step(of_file)) : nullptr;
+        if (file) in(of_file, [&] { found.emplace_back(of_file, path_of(*file, *definition.file)); });
         return found;
     }
 
@@ -192,6 +200,21 @@ class Reader {
         return value;
     }
 
+    /// Style files are untrusted, so theirs are beside them, or in folders there.
+    std::string path_of(const JsonValue& json, const line::FileParameter& parameter) {
+        constexpr std::size_t longest = 1000;
+        expect(json.type == Type::text && !json.text.empty() && is_name(json.text, longest),
+               "must be the name of a file, of at most " + std::to_string(longest) + " letters");
+        const std::string& path = json.text;
+        expect(path.ends_with(parameter.suffix),
+               std::string("must be the name of a file that ends in ") + parameter.suffix);
+        const bool leaves = path.front() == '/' || path.find_first_of("\\:") != std::string::npos ||
+                            ("/" + path + "/").find("/../") != std::string::npos;
+        expect(!is_file_ || !leaves,
+               "must be the name of a file in the folder of the style, or in a folder there, with / between them");
+        return path;
+    }
+
     template <Record S>
     static bool knows(const std::string& key) {
         bool found = std::is_same_v<S, Style> && key == "schema";
@@ -199,14 +222,18 @@ class Reader {
         return found;
     }
 
-    /// Calls take(value, known) for the entries of an object whose key is the name of one of `all`; keeps the others.
+    /// Calls take(value, known) for the entries of an object whose key is the name of one of `all`; keeps the others,
+    /// but for one that is read elsewhere.
     template <typename All, typename Name, typename Take>
-    void read_known(const JsonValue& json, const All& all, Name name, const Take& take) {
+    void read_known(const JsonValue& json, const All& all, Name name, const Take& take,
+                    std::string_view elsewhere = {}) {
         const auto find = [&](std::string_view key) { return std::ranges::find(all, key, name); };
         for (std::size_t i = 0; i < json.items.size(); ++i)
             if (const auto known = find(json.keys[i]); known != all.end())
                 in(json.keys[i], [&] { take(json.items[i], *known); });
-        keep_unknown(json, [&](const std::string& key) { return find(key) != all.end(); });
+        keep_unknown(json, [&](const std::string& key) {
+            return find(key) != all.end() || (!elsewhere.empty() && key == elsewhere);
+        });
     }
 
     template <typename Knows>
@@ -219,6 +246,7 @@ class Reader {
 
     const Shipped* shipped_;
     std::vector<Unknown>& unknown_;
+    bool is_file_;
     Path path_;
 };
 
@@ -240,7 +268,7 @@ Style read_style(std::string_view json, const Shipped* shipped) {
     check_schema(data);
     Style style;
     style.line_sets.clear();
-    Reader reader(shipped, style.kept);
+    Reader reader(shipped, style.kept, true);
     reader.read(data, style);
     std::ranges::sort(style.kept, {}, &Unknown::path);
     reader.in("line_sets", [&] { reader.expect(!style.line_sets.empty(), "must be a list of at least one line set"); });
@@ -249,15 +277,17 @@ Style read_style(std::string_view json, const Shipped* shipped) {
 
 Parameters checked_parameters(const std::string& definition, const Parameters& given, const std::string& where) {
     JsonValue json = JsonValue::object();
-    for (const auto& [name, value] : given) json.add(name, JsonValue::of(value));
+    for (const auto& [name, value] : given)
+        json.add(name, value.file.empty() ? JsonValue::of(value.number) : JsonValue::of(value.file));
     std::vector<Unknown> unknown;
-    Reader reader(nullptr, unknown);
+    Reader reader(nullptr, unknown, false);
     Parameters found;
     reader.in(where,
               [&] { reader.in(definition, [&] { found = reader.parameters(json, definition_called(definition)); }); });
     if (unknown.empty()) return found;
     std::vector<std::string> known;
     for (const Parameter& parameter : definition_called(definition).parameters) known.emplace_back(parameter.name);
+    if (const auto& file = definition_called(definition).file) known.emplace_back(file->name);
     std::ranges::sort(known);
     const std::string key = std::get<std::string>(unknown[0].path.back());
     throw std::invalid_argument(where + "." + definition + " has unknown keys: " + key +

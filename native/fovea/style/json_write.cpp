@@ -11,6 +11,8 @@ template <typename V>
 JsonValue to_json(const V& value) {
     if constexpr (std::is_enum_v<V>)
         return JsonValue::of(std::string(choices_of<V>[static_cast<int>(value)].name));
+    else if constexpr (std::is_same_v<V, line::ParameterValue>)
+        return value.file.empty() ? JsonValue::of(value.number) : JsonValue::of(value.file);
     else
         return JsonValue::of(value);
 }

@@ -32,8 +32,8 @@ struct Hidden {
         Field{"pen_away", &Hidden::pen_away, "", "And out of focus: what differs from the pen"}};
 };
 
-/// (name, value) of a line definition's parameters, in the definition's units.
-using Parameters = std::vector<std::pair<std::string, double>>;
+/// (name, value) of a line definition's parameters, in the definition's units, and of its file.
+using Parameters = std::vector<std::pair<std::string, line::ParameterValue>>;
 
 /// (name, parameters) of line definitions; names are unique.
 using Definitions = std::vector<std::pair<std::string, Parameters>>;

@@ -89,8 +89,8 @@ const T* find(const std::vector<std::pair<std::string, T>>& named, const std::st
 Parameters mixed_parameters(const Parameters& a, const Parameters& b, double share) {
     Parameters mixed = share < 0.5 ? a : b;
     for (auto& [name, value] : mixed) {
-        const double *x = find(a, name), *y = find(b, name);
-        if (x && y) value = between(*x, *y, share);
+        const line::ParameterValue *x = find(a, name), *y = find(b, name);
+        if (x && y) value.number = between(x->number, y->number, share);
     }
     return mixed;
 }
