@@ -17,8 +17,12 @@ from .compare_operators import OfDrawing
 SUFFIX = ".lines.json"  # of the model of a drawing
 
 
+def _kinds(_self, _context):
+    return _items()
+
+
 @cache  # Blender keeps no copies of the texts
-def _kinds(_self=None, _context=None):
+def _items():
     return [(name.upper(), label, told) for name, label, told in learned_lines.kinds()]
 
 
