@@ -9,6 +9,7 @@
 #include <fovea/base/files.h>
 #include <fovea/color/png.h>
 #include <fovea/color/srgb.h>
+#include <fovea/study/model_likelihood.h>
 #include <fovea/style/json.h>
 #include <fovea/style/json_value.h>
 
@@ -34,6 +35,26 @@ void write_whole(const std::string& bytes, const std::filesystem::path& file) {
     hold(false);
 }
 
+/// Calls visit(path) for the files that line definitions of a style are given.
+template <typename Visit>
+void each_file(style::Style& style, const Visit& visit) {
+    for (style::LineSet& set : style.line_sets)
+        for (auto& [name, parameters] : set.kinds)
+            for (auto& [parameter, value] : parameters)
+                if (!value.file.empty()) visit(value.file);
+}
+
+/// The path of a file that a style in a folder names. Throws std::invalid_argument if a link leads out of the folder.
+std::string inside(const std::filesystem::path& folder, const std::string& named) {
+    const std::filesystem::path path = folder / file_of(named);
+    std::error_code problem;  // told where the file is read
+    const auto whole = std::filesystem::weakly_canonical(path, problem);
+    const auto within = whole.lexically_relative(std::filesystem::weakly_canonical(folder, problem));
+    check(problem || (!within.empty() && *within.begin() != ".."),
+          named + ", which the style names, leads out of its folder: put the file itself there");
+    return name_of(path);
+}
+
 }  // namespace
 
 style::Style style_of(const std::vector<std::string>& lines) {
@@ -47,7 +68,10 @@ style::Style style_of(const std::vector<std::string>& lines) {
 }
 
 style::Style read_style(const std::filesystem::path& file) {
-    return style::read_file(file, [](const std::string& text) { return style::read_style(text); });
+    style::Style style = style::read_file(file, [](const std::string& text) { return style::read_style(text); });
+    const std::filesystem::path folder = std::filesystem::absolute(file).parent_path();
+    each_file(style, [&](std::string& path) { path = inside(folder, path); });
+    return style;
 }
 
 Frame frame_of(const Model& model, const Camera& camera, const style::Style& style,
@@ -56,6 +80,10 @@ Frame frame_of(const Model& model, const Camera& camera, const style::Style& sty
     job.scene = std::make_shared<Scene>(std::vector<Placement>{{.surface = model.surface(), .id = 1}});
     job.view = view_of(model.drawn_positions(), camera, model.y_up);
     job.style = style;
+    each_file(job.style, [&](const std::string& path) {
+        job.files[path] = style::read_file(
+            file_of(path), [](const std::string& text) { return study::likelihood_of(study::read_model(text)); });
+    });
     job.assets = std::make_shared<Assets>(assets);
     job.backend = std::make_shared<CpuBackend>();
     return Frame(std::move(job));

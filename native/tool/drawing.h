@@ -15,11 +15,13 @@ namespace fovea::tool {
 /// definition.
 style::Style style_of(const std::vector<std::string>& lines);
 
-/// Reads a style file. Throws std::invalid_argument, naming the file, if it is not valid.
+/// Reads a style file; files that its line definitions are given have absolute paths then. Throws
+/// std::invalid_argument, naming the file, if it is not valid.
 style::Style read_style(const std::filesystem::path& file);
 
 /// A frame of the model alone, on the CPU backend; no step has run yet. `assets`: folder of textures and papers,
-/// required only by styles that use them.
+/// required only by styles that use them. Throws std::invalid_argument, naming it, for a file that a line definition of
+/// the style is given and that cannot be read.
 Frame frame_of(const Model& model, const Camera& camera, const style::Style& style,
                const std::filesystem::path& assets = {});
 

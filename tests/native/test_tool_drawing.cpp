@@ -9,6 +9,7 @@
 #include <fovea/base/files.h>
 #include <fovea/color/png.h>
 
+#include "learned.h"
 #include "model_files.h"
 #include "refused.h"
 #include "system_files.h"
@@ -59,6 +60,28 @@ TEST(ToolDrawing, WhatCannotBeWrittenOrReadIsNamed) {
     EXPECT_NE(refused([&] { tool::read_style(folder.path / "none.json"); }).find("none.json"), std::string::npos);
     std::ofstream(folder.path / "broken.json") << R"({"schema": 1, "paper": {"tooth": "sharp"}, "line_sets": [{}]})";
     EXPECT_NE(refused([&] { tool::read_style(folder.path / "broken.json"); }).find("paper.tooth"), std::string::npos);
+}
+
+TEST(ToolDrawing, LinesByAModelAreThoseOfTheFileThatTheStyleNames) {
+    const Folder folder;
+    const auto style = folder.path / "style.json", model = folder.path / "model.json";
+    std::ofstream(style) << R"({"schema": 1, "line_sets": [{"kinds": {"learned_line": {"model": "model.json"}}}]})";
+    const auto drawn = [&] {
+        Frame frame = tool::frame_of(tool::read_obj("cube.obj", cube_obj()), {.width = 200, .height = 120},
+                                     tool::read_style(style));
+        frame.find();
+        return frame.paths->count();
+    };
+    EXPECT_EQ(refused(drawn), name_of(model) + " cannot be read: No such file or directory");
+    std::ofstream(model) << study::write_model(lines_below(study::Property::image_least_curvature, -0.05));
+    EXPECT_GT(drawn(), 0u);
+    std::ofstream(model) << "{}";
+    EXPECT_TRUE(refused(drawn).starts_with(name_of(model) + ": a model of lines: 'line_model' is missing"));
+    std::filesystem::create_directories(folder.path / "styles");
+    std::filesystem::rename(style, folder.path / "styles" / "style.json");
+    std::filesystem::create_symlink(model, folder.path / "styles" / "model.json");
+    EXPECT_NE(refused([&] { tool::read_style(folder.path / "styles" / "style.json"); }).find("leads out"),
+              std::string::npos);
 }
 
 TEST(ToolDrawing, AFullDiskIsNamedAndLeavesTheFileThatWasThere) {

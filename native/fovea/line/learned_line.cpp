@@ -27,18 +27,18 @@ const Parameters<LearnedLine> parameters = {
 constexpr float least_bend = 0.02f;
 
 Curves find(const FrameView& frame, const LearnedLine& values, const Likelihood& likelihood) {
-    const ImageValues image{.threshold = values.threshold * likelihood.threshold(),
-                            .low = values.low,
-                            .sigma = values.sigma,
-                            .outline = true,
-                            .light_right = 0.0,
-                            .light_up = 0.0};
-    SmoothTone smooth{shaded_scene(frame, image), {}};
+    const ImageValues as_image{.threshold = values.threshold * likelihood.threshold(),
+                               .low = values.low,
+                               .sigma = values.sigma,
+                               .outline = true,
+                               .light_right = 0.0,
+                               .light_up = 0.0};
+    SmoothTone smooth{shaded_scene(frame, as_image), {}};
     const Lattice& lattice = smooth.lattice();
     const Buffer found = likelihood.at(frame.tracer, *smooth.shaded, frame.cancel);
     smooth.value = gaussian(found, lattice.width, lattice.height, steps_per_sigma);
     frame.cancel.poll();
-    return trace_bends(frame, smooth, image, -1.0f, [&](Index node, const Bend& bend) {
+    return trace_bends(frame, smooth, as_image, -1.0f, [&](Index node, const Bend& bend) {
         const float value = smooth.value[node];
         return bend.curvature * float(steps_per_sigma * steps_per_sigma) >= least_bend * value ? value : 0.0f;
     });
