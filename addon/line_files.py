@@ -6,7 +6,7 @@ to the style's folder, which it may not leave. What cannot be read finds no line
 
 import hashlib
 import shutil
-from functools import lru_cache
+from functools import cache, lru_cache
 from pathlib import Path
 
 from . import catalogue, files, learned_lines
@@ -77,12 +77,18 @@ def _copied(path, folder):
     return place
 
 
+@cache
+def _definitions():
+    """{name: definition} of those that are given a file. A Style may name what is no definition."""
+    return {definition["name"]: definition for definition in catalogue.definitions() if definition["file"]}
+
+
 def _given(chosen):
     """(label of the definition, label of its file, path or None) of those of a Style that are given one."""
     for line_set in chosen.line_sets:
         for name, values in line_set.kinds.items():
-            if file := catalogue.by_name()[name]["file"]:
-                yield catalogue.by_name()[name]["label"], file["label"], values.get(file["name"])
+            if definition := _definitions().get(name):
+                yield definition["label"], definition["file"]["label"], values.get(definition["file"]["name"])
 
 
 def _paths(chosen):
@@ -95,8 +101,8 @@ def _changed(chosen, place):
         return chosen
 
     def moved(name, values):
-        file = catalogue.by_name()[name]["file"]
-        return values | {file["name"]: place(values[file["name"]])} if file and file["name"] in values else values
+        file = _definitions()[name]["file"]["name"] if name in _definitions() else None
+        return values | {file: place(values[file])} if file in values else values
 
     sets = (
         line_set.replace(kinds={name: moved(name, values) for name, values in line_set.kinds.items()})
