@@ -24,7 +24,7 @@ TOOLS = (
     *("render.vector_operators", "render.to_scale_operators", "render.cameras"),
     *("render.lines_over_operators", "render.lines_over_check", "render.lines_overlay", "render.report"),
     *("style.freestyle", "style.line_art"),
-    "ui.tools_panel",
+    *("ui.gauge_setting", "ui.tools_panel"),
 )
 
 

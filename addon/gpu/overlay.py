@@ -15,19 +15,28 @@ _CIRCLE = np.stack([np.cos(_ANGLES), np.sin(_ANGLES), np.zeros_like(_ANGLES)], a
 
 def ring(center, radius, color, width):
     """Draws a circle; center, radius and line width in pixels, color: RGBA in display space."""
-    shader = gpu.shader.from_builtin("POLYLINE_UNIFORM_COLOR")
-    shader.uniform_float("viewportSize", gpu.state.viewport_get()[2:])
-    shader.uniform_float("lineWidth", width)
-    _draw(shader, "LINE_STRIP", center, radius, color)
+    curve(_circle(center, radius), color, width)
 
 
 def dot(center, radius, color):
     """Draws a filled disc; arguments as for `ring`."""
-    _draw(gpu.shader.from_builtin("UNIFORM_COLOR"), "TRI_FAN", center, radius, color)
+    _draw(gpu.shader.from_builtin("UNIFORM_COLOR"), "TRI_FAN", _circle(center, radius), color)
 
 
-def _draw(shader, kind, center, radius, color):
-    points = (radius * _CIRCLE + (*center, 0)).astype(np.float32)
+def curve(points, color, width):
+    """Draws a polyline of points (n, 2) or (n, 3) in pixels; other arguments as for `ring`."""
+    shader = gpu.shader.from_builtin("POLYLINE_UNIFORM_COLOR")
+    shader.uniform_float("viewportSize", gpu.state.viewport_get()[2:])
+    shader.uniform_float("lineWidth", width)
+    points = np.asarray(points, np.float32)
+    _draw(shader, "LINE_STRIP", np.pad(points, ((0, 0), (0, 3 - points.shape[1]))), color)
+
+
+def _circle(center, radius):
+    return (radius * _CIRCLE + (*center, 0)).astype(np.float32)
+
+
+def _draw(shader, kind, points, color):
     shader.uniform_float("color", color)
     gpu.state.blend_set("ALPHA")
     batch_for_shader(shader, kind, {"pos": points}).draw(shader)

@@ -40,6 +40,7 @@ def _in_menu(self, _context):
     self.layout.operator("fovea.register_drawing", text="Register Drawing...")
     self.layout.operator("fovea.fit_style", text="Fit Style to Drawing...")
     self.layout.operator("fovea.learn_lines", text="Learn Lines from Drawing...")
+    self.layout.operator("fovea.set_gauges", text="Set Gauges of a Study...")
     for name in ("standard_view", "freestyle_off", "line_art_off"):
         self.layout.operator(f"fovea.{name}")
 

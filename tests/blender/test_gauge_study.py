@@ -103,3 +103,9 @@ def test_a_shaded_picture_is_gray_and_follows_the_surface(scene, tmp_path):
     assert np.ptp(colors, axis=2).max() < 0.05 and colors[:4, :4].min() > 0.98
     middle, below = colors[96, 128].mean(), colors[66, 128].mean()
     assert 0.1 < middle < 0.98 and abs(middle - below) > 0.02
+
+
+def test_gauges_are_set_in_a_window_and_what_is_no_study_is_named(tmp_path):
+    (tmp_path / "study.json").write_text("{}")
+    with pytest.raises(RuntimeError, match="Gauges are set in a window: start Blender without --background"):
+        bpy.ops.fovea.set_gauges(filepath=str(tmp_path / "study.json"))

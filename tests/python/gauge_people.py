@@ -20,7 +20,8 @@ def study(tmp_path, styles=("pencil", "shaded"), count=GAUGES):
     stimuli = [{"style": style, "file": f"{style}.png", "sha256": style * 3} for style in styles]
     places = random.random((count, 2)) * (1024, 768)
     gauges = [{"x": x, "y": y, "n": list(n)} for (x, y), n in zip(places, ball(random, count))]
-    told = {"study": "test", "model": "ball", "size": [1024, 768], "radius": 20, "stimuli": stimuli, "gauges": gauges}
+    told = {"study": "test", "build": "test", "model": "ball", "size": [1024, 768], "radius": 20}
+    told |= {"stimuli": stimuli, "gauges": gauges}
     (tmp_path / records.STUDY).write_text(json.dumps(told))
     return records.read_study(tmp_path)
 

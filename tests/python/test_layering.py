@@ -56,6 +56,8 @@ MODULES = {
     "__init__": "",
     "stages": "",
     "files": "",
+    "gauges": "",
+    "gauge_session": "files gauges",
     "frame_records": "held_folder",
     "held_folder": "",
     "native": "_native",
