@@ -29,6 +29,11 @@ class Study:
     radius: float  # of gauges in pixels
     places: list  # of (x, y), pixels from the upper left
     stimuli: list  # of {style, file, sha256}
+    strings: list  # of (first, end)
+
+    @property
+    def sets(self):
+        return gauges.sets(len(self.places), self.strings)
 
     def picture(self, stimulus):
         """The Path of a stimulus. ValueError where it is not the one that the study was made with."""
@@ -48,7 +53,8 @@ def read(path):
         stimuli = [{key: str(each[key]) for key in ("style", "file", "sha256")} for each in told["stimuli"]]
         places = [(float(gauge["x"]), float(gauge["y"])) for gauge in told["gauges"]]
         size, radius = tuple(map(int, told["size"])), float(told["radius"])
-        study = Study(path.parent, told["study"], told["build"], told["model"], size, radius, places, stimuli)
+        strings = [tuple(map(int, each)) for each in told.get("strings", [])]
+        study = Study(path.parent, told["study"], told["build"], told["model"], size, radius, places, stimuli, strings)
     except (KeyError, TypeError, ValueError) as error:
         raise ValueError(f"{path} is not as `fovea study make` wrote it ({error!r}): make the study again") from error
     if not study.places or not study.stimuli or min(*size, radius) <= 0:
@@ -77,7 +83,7 @@ def begun(study, before, device, random=None):
         weights = [1 / (count + 1) for count in counts(study)]
         (stimulus,) = random.choices(study.stimuli, weights)
         return Session(study, stimulus, secrets.token_hex(8), 0, device, random)
-    if before.number + 1 >= len(gauges.sets(len(study.places))):
+    if before.number + 1 >= len(study.sets):
         raise ValueError("This person has set all gauges of the study: choose Another Person")
     return Session(study, before.stimulus, before.participant, before.number + 1, device, random)
 
@@ -100,8 +106,7 @@ class Session:
     def __init__(self, study, stimulus, participant, number, device, random, now=time.perf_counter):
         self.study, self.stimulus, self.participant, self.number = study, stimulus, participant, number
         self.device, self.now, self.at = device, now, 0
-        parts = gauges.sets(len(study.places))
-        own = range(len(study.places))[parts[number % len(parts)]]
+        own = range(len(study.places))[study.sets[number % len(study.sets)]]
         self.steps = [
             Step(gauge, repeat, gauges.anywhere(random)) for repeat in (0, 1) for gauge in random.sample(own, len(own))
         ]

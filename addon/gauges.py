@@ -45,8 +45,11 @@ def anywhere(random):
     return normal(math.acos(random.uniform(least, 1.0)), random.uniform(0.0, 2 * math.pi))
 
 
-def sets(count, usual=30):
-    """How gauges are shared out over sessions: slices of consecutive ones, of nearly equal sizes up to `usual`."""
+def sets(count, strings=(), usual=30):
+    """How gauges are shared out over sessions: slices of consecutive ones, of nearly equal sizes up to `usual`; then two
+    strings for each. `strings`: (first, end) of those at the end of all."""
+    count = strings[0][0] if strings else count
     parts = -(-count // usual)
     ends = [round(i * count / parts) for i in range(parts + 1)]
-    return [slice(first, end) for first, end in zip(ends, ends[1:])]
+    pairs = [strings[i : i + 2] for i in range(0, len(strings), 2)]
+    return [slice(first, end) for first, end in [*zip(ends, ends[1:]), *((pair[0][0], pair[-1][1]) for pair in pairs)]]

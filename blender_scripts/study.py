@@ -24,7 +24,7 @@ import picture
 from command import draw_options
 from gauges import formulas
 
-CLEAR = 6.0  # pixels at a height of 768 around a gauge that are one surface
+CLEAR, CLEAR_OF_STRING = 6.0, 2.0  # pixels at a height of 768 around a gauge that are one surface
 MOST_TRIED = 200  # places for each gauge that is wanted
 GRAY, PAPER = (0.7, 0.7, 0.7), (1.0, 1.0, 1.0)  # of shaded pictures
 
@@ -36,6 +36,7 @@ def main(words):
     drawing_settings.set_drawing(scene, options)
     draw.set_output(scene, options)
     found = gauges(scene, asked["gauges"], asked["seed"])
+    add_strings(scene, asked["strings"], found)
     for style, path in asked["pictures"].items():
         render(scene, draw_options.parse([*asked["draw"], *asked["styles"][style]]), path, style == asked["shaded"])
     found["blender"] = bpy.app.version_string
@@ -70,11 +71,34 @@ def gauges(scene, count, seed):
             f"--gauges {count}: only {len(which)} places of this picture are on a surface, away from its outlines, "
             "creases and steps: ask for fewer, or come nearer"
         )
-    found = [
+    return {"gauges": _told(places[which], normals, names), "tried": int(which[-1]) + 1}
+
+
+def add_strings(scene, asked, found):
+    """Adds gauges along lines, of (u, v, degrees) each, to `found`, and where each begins and ends. ValueError where
+    some of them are on no surface."""
+    width, height = scene.render.resolution_x, scene.render.resolution_y
+    found["strings"] = []
+    for u, v, degrees in asked:
+        places = formulas.string((u, v), degrees, (width, height))
+        radius = CLEAR_OF_STRING * height / 768
+        look = partial(seen, px=places * (1, -1) + (0, height), radius=radius, wanted=formulas.STRING)
+        normals, names, which = as_rendered.look(bpy.context, look)
+        if len(which) < len(places):
+            raise ValueError(
+                f"--string {u:g},{v:g},{degrees:g}: {len(places) - len(which)} of its {len(places)} gauges are not on a "
+                "surface, away from its outlines, creases and steps: move or turn it, or come nearer"
+            )
+        first = len(found["gauges"])
+        found["gauges"] += _told(places, normals, names)
+        found["strings"].append([first, first + len(places)])
+
+
+def _told(places, normals, names):
+    return [
         {"x": round(float(x), 3), "y": round(float(y), 3), "n": [round(float(value), 9) for value in n], "object": name}
-        for (x, y), n, name in zip(places[which], normals, names)
+        for (x, y), n, name in zip(places, normals, names)
     ]
-    return {"gauges": found, "tried": int(which[-1]) + 1}
 
 
 def seen(engine, depsgraph, px, radius, wanted):

@@ -5,6 +5,7 @@ gauges that people set on them; in Blender only to make the pictures."""
 import argparse
 import hashlib
 import json
+import math
 import os
 import re
 import shutil
@@ -35,6 +36,7 @@ def parse(words):
     made.add_argument("scene", help="what `fovea draw` draws")
     made.add_argument("--styles", type=lambda text: text.split(","), required=True, metavar="A,B")
     made.add_argument("--gauges", type=_count, default=90, metavar="N")
+    made.add_argument("--string", type=_string, action="append", default=[], metavar="U,V,DEGREES")
     made.add_argument("--size", type=quantities.frame_size, default=SIZE, metavar="WxH")
     made.add_argument("--seed", type=_seed, default=0, metavar="N", help="other places")
     made.add_argument("-o", "--output", type=_path, required=True, metavar="FOLDER")
@@ -100,6 +102,18 @@ def _count(text):
     return count
 
 
+def _string(text):
+    try:
+        u, v, degrees = map(float, text.split(","))
+    except ValueError:
+        u = v = degrees = math.nan
+    if not (0 <= u <= 1 and 0 <= v <= 1 and math.isfinite(degrees)):
+        raise argparse.ArgumentTypeError(
+            f"'{text}' is not a place from the left and the top, both 0 to 1, and an angle, as 0.4,0.5,90"
+        )
+    return u, v, degrees
+
+
 def _seed(text):
     if not text.isdecimal() or int(text) > 9999:
         raise argparse.ArgumentTypeError(f"'{text}' is not a whole number from 0 to 9999")
@@ -118,7 +132,7 @@ def make(target, options):
     pictures = {name: work / f"{name}.png" for name in options.names.values()}
     asked = {
         "out": str(work / "found.json"), "draw": options.draw, "gauges": options.gauges, "seed": options.seed,
-        "shaded": SHADED, "pictures": {name: str(path) for name, path in pictures.items()},
+        "strings": options.string, "shaded": SHADED, "pictures": {name: str(path) for name, path in pictures.items()},
         "styles": {name: [] if style == SHADED else ["--style", style] for style, name in options.names.items()},
     }  # fmt: skip
     script = PROJECT / "blender_scripts" / "study.py"
@@ -147,7 +161,7 @@ def described(options, found, pictures):
             {"style": name, "file": f"{name}.png", "sha256": hashlib.sha256(content).hexdigest()}
             for name, content in pictures.items()
         ],
-        "gauges": found["gauges"],
+        "gauges": found["gauges"], "strings": found.get("strings", []),
     }  # fmt: skip
     told["study"] = hashlib.sha256(json.dumps(told).encode()).hexdigest()[:12]
     return told

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from . import observers, rank_sum
+from . import observers, rank_sum, strings
 from .formulas import angles, sets
 
 NEAR, LEAST_NEAR = 30.0, 0.7  # degrees between both settings of a gauge, and the share that is to be so near
@@ -28,6 +28,8 @@ class Judged:
     errors: np.ndarray  # (n,) degrees from the truth
     fitted: np.ndarray  # (n, 3) settings, in the relief that brings them nearest to the truth
     fitted_errors: np.ndarray  # (n,) degrees
+    of_strings: bool  # its gauges are those of strings: they are not fitted
+    truth_spread: float  # degrees, of the true normals of its gauges
 
     @property
     def refused(self):
@@ -36,17 +38,21 @@ class Judged:
             return "no gauge was set twice"
         if self.near < LEAST_NEAR:
             return f"only {self.near:.0%} of the gauges were set alike twice"
-        return f"all settings are alike, within {self.spread:.1f} degrees" if self.spread < LEAST_SPREAD else ""
+        flat = self.of_strings and self.truth_spread < 2 * LEAST_SPREAD
+        alike = self.spread < LEAST_SPREAD and not flat
+        return f"all settings are alike, within {self.spread:.1f} degrees" if alike else ""
 
 
 def judged(core, study, session):
     truth = study.truth[session.gauge]
-    enough = len(truth) >= 3
+    of_strings = bool((session.gauge >= study.even).all())
+    enough = len(truth) >= 3 and not of_strings  # a small patch tells no relief of a whole
     fitted = core.BasRelief.fitted(session.normals, truth).of_normals(session.normals) if enough else session.normals
     # Noise is in the settings. Fitted to the truth it would flatten the relief; the other way round it does not.
     relief = core.BasRelief.fitted(truth, session.normals) if enough else core.BasRelief()
     errors, fitted_errors = angles(session.normals, truth), angles(fitted, truth)
-    return Judged(session, near_share(session), spread(session.normals), relief, errors, fitted, fitted_errors)
+    near, alike = near_share(session), spread(session.normals)
+    return Judged(session, near, alike, relief, errors, fitted, fitted_errors, of_strings, spread(truth))
 
 
 def near_share(session):
@@ -82,9 +88,9 @@ def medians(normals, gauge, count):
 
 @dataclass(frozen=True)
 class OfStyle:
-    """All settings that count of a style."""
+    """All settings that count of a style; those of strings in `strings` alone."""
 
-    sessions: list  # of Judged that count
+    sessions: list  # of Judged that count, of gauges that are spread evenly
     refused: list  # of those that do not
     gauge: np.ndarray  # (n,)
     fitted: np.ndarray  # (n, 3)
@@ -94,13 +100,16 @@ class OfStyle:
     fitted_from_median: np.ndarray
     medians: np.ndarray  # (gauges, 3), as set; NaN: none
     fitted_medians: np.ndarray
+    of_strings: list  # of Judged that count
+    strings: list  # a strings.OfString of each string, or None
 
 
 def of_style(study, every):
     """The OfStyle of a style's Judged."""
-    kept = [each for each in every if not each.refused]
+    counted = [each for each in every if not each.refused]
+    kept, of_strings = ([each for each in counted if each.of_strings == which] for which in (False, True))
 
-    def joined(of, empty):
+    def joined(of, empty, kept=kept):
         return np.concatenate([empty, *map(of, kept)])
 
     none, vectors = np.empty(0), np.empty((0, 3))
@@ -111,7 +120,11 @@ def of_style(study, every):
     return OfStyle(
         kept, [each for each in every if each.refused], gauge, fitted,
         joined(lambda each: each.errors, none), joined(lambda each: each.fitted_errors, none),
-        angles(normals, as_set[gauge]), angles(fitted, after[gauge]), as_set, after,
+        angles(normals, as_set[gauge]), angles(fitted, after[gauge]), as_set, after, of_strings,
+        strings.of_study(
+            study, joined(lambda each: each.session.gauge, np.empty(0, np.intp), of_strings),
+            joined(lambda each: each.session.normals, vectors, of_strings),
+        ),
     )  # fmt: skip
 
 
@@ -144,7 +157,9 @@ def analyse(core, study, sessions):
     every = {style: [] for style in study.stimuli}
     for session in sessions:
         every[session.style].append(judged(core, study, session))
-    return Analysis(study, {s: of_style(study, found) for s, found in every.items()}, floors(core, study.truth))
+    return Analysis(
+        study, {s: of_style(study, found) for s, found in every.items()}, floors(core, study.truth[: study.even])
+    )
 
 
 def told(analysis):
@@ -153,7 +168,8 @@ def told(analysis):
     return {
         "study": analysis.study.name,
         "model": analysis.study.model,
-        "gauges": len(analysis.study.truth),
+        "gauges": analysis.study.even,
+        "strings": strings.told(analysis.study),
         "styles": {style: _told_of_style(found) for style, found in analysis.styles.items()},
         "floors": {
             name: {key: spread_of(values) for key, values in each.items()} for name, each in analysis.floors.items()
@@ -167,16 +183,18 @@ def told(analysis):
 
 def _told_of_style(found):
     measures = {name: spread_of(getattr(found, name)) for name in MEASURES}
-    sessions = [_told_of_session(each) for each in (*found.sessions, *found.refused)]
-    return {"settings": len(found.gauge), "refused": len(found.refused), **measures, "sessions": sessions}
+    sessions = [_told_of_session(each) for each in (*found.sessions, *found.of_strings, *found.refused)]
+    told = {"settings": len(found.gauge), "refused": len(found.refused), **measures, "sessions": sessions}
+    return told | {"strings": [each and each.told() for each in found.strings]}
 
 
 def _told_of_session(each):
     session = each.session
     return {
         "participant": session.participant, "session": session.number, "settings": len(session.gauge),
-        "refused": each.refused, "near": each.near, "spread": each.spread, "depth": each.relief.depth,
-        "slope": list(each.relief.slope), "error": float(each.errors.mean()),
+        "refused": each.refused, "near": each.near, "spread": each.spread, "of_strings": each.of_strings,
+        "depth": None if each.of_strings else each.relief.depth,
+        "slope": None if each.of_strings else list(each.relief.slope), "error": float(each.errors.mean()),
         "fitted_error": float(each.fitted_errors.mean()), "seconds": float(np.median(session.seconds)),
     }  # fmt: skip
 

@@ -9,6 +9,7 @@ STEEPEST, normal, ellipse, lines = _shared.STEEPEST, _shared.normal, _shared.ell
 dragged, sets = _shared.dragged, _shared.sets
 
 RADIUS = 20 / 768  # of a gauge's disc, of the picture's height
+STRING, SPACING = 15, 5 / 768  # gauges of a string, and between them, of the picture's height
 SKIP = 20  # numbers of the Halton sequence that are left out, as the first ones of different bases go together
 
 
@@ -26,6 +27,14 @@ def halton(first, count, base):
 def places(first, count, size):
     """(count, 2) places in a picture of (width, height), spread evenly however many one takes."""
     return np.stack([halton(first, count, base) for base in (2, 3)], axis=1) * size
+
+
+def string(middle, degrees, size):
+    """(STRING, 2) places along a line through a place, from the left and the top of a picture of (width, height), both 0
+    to 1, that rises by so many degrees."""
+    along = np.array([np.cos(np.radians(degrees)), -np.sin(np.radians(degrees))])
+    steps = np.arange(STRING) - (STRING - 1) / 2
+    return np.multiply(middle, size) + SPACING * size[1] * steps[:, None] * along
 
 
 def angles(a, b):

@@ -41,14 +41,16 @@ function shuffled(values, random) {
     return found;
 }
 
-// First and last + 1 of the gauges of each set.
-function sets(count) {
-    const parts = Math.ceil(count / SET);
+// First and last + 1 of the gauges of each set; of strings, which are at the end of all, two are a set.
+function sets(all, strings = []) {
+    const count = strings.length ? strings[0][0] : all, parts = Math.ceil(count / SET);
     const end = i => {
         const exact = i * count / parts, low = Math.floor(exact);
         return exact - low === 0.5 ? low + low % 2 : Math.round(exact); // as Python rounds
     };
-    return Array.from({length: parts}, (_, i) => [end(i), end(i + 1)]);
+    const pairs = strings.filter((_, i) => i % 2 === 0);
+    return [...Array.from({length: parts}, (_, i) => [end(i), end(i + 1)]),
+            ...pairs.map(([first, last], i) => [first, (strings[2 * i + 1] || [0, last])[1]])];
 }
 
 // Number of one of several, which is the likelier the fewer sessions it has: 1 / (sessions + 1).
@@ -61,10 +63,10 @@ function chosen(sessions, random) {
 
 // One session: a set of gauges in random order, and the same again in another order.
 class Session {
-    // study: {study, build, model, radius, gauges: [[x, y]]}; stimulus: {style, sha256}; who: {participant, device}.
+    // study: {study, build, model, radius, gauges: [[x, y]], strings: [[first, end]]}; stimulus: {style, sha256}; who: {participant, device}.
     constructor(study, stimulus, who, number, random, now) {
         Object.assign(this, {study, stimulus, who, number, random, now, at: 0});
-        const all = sets(study.gauges.length), [first, end] = all[number % all.length];
+        const all = sets(study.gauges.length, study.strings), [first, end] = all[number % all.length];
         const own = Array.from({length: end - first}, (_, i) => first + i);
         const step = repeat => gauge => ({gauge, repeat, start: anywhere(random), n: null, ms: 0, set: false});
         this.steps = [0, 1].flatMap(repeat => shuffled(own, random).map(step(repeat)));

@@ -6,6 +6,7 @@
 const SVG = "http://www.w3.org/2000/svg", GREEN = "#0c0", GOOD = 15;
 const EXAMPLE = {axes: [150, 100, 110], middle: [200, 140], radius: 20};
 const PRACTICE = [[110, 120], [230, 80], [290, 150], [180, 200]];
+const SETS = sets(STUDY.gauges.length, STUDY.strings);
 const $ = id => document.getElementById(id);
 
 function shape(parent, name, attributes) {
@@ -163,12 +164,12 @@ function save(session) {
 function finish(session, told) {
     window.onbeforeunload = null;
     keys = {};
-    const left = sets(STUDY.gauges.length).length - session.number - 1;
+    const [following] = SETS.slice(session.number + 1);
     ++told.finished[told.stimulus];
     notes.write({...told, session: session.number + 1});
     $("save").onclick = () => save(session);
-    $("again").hidden = left <= 0;
-    $("again").textContent = `Another ${sets(STUDY.gauges.length)[0][1] * 2} gauges`;
+    $("again").hidden = !following;
+    if (following) $("again").textContent = `Another ${(following[1] - following[0]) * 2} gauges`;
     $("again").onclick = begin;
     $("other").onclick = () => { newParticipant(); show("start"); keys = {}; };
     show("finished");
@@ -183,7 +184,7 @@ document.addEventListener("keydown", event => {
 document.addEventListener("click", () => document.activeElement?.blur()); // or space would press a button again
 addExamples();
 const known = notes.read();
-if (!known.participant || known.session >= sets(STUDY.gauges.length).length) newParticipant();
+if (!known.participant || known.session >= SETS.length) newParticipant();
 $("go").onclick = practice;
 $("skip").onclick = begin;
 show("start");

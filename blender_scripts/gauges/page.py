@@ -12,6 +12,7 @@ HERE = Path(__file__).parent
 def page(told, pictures):
     """The text of the page. `told`: what study.json has; `pictures`: {style: bytes of its PNG file}."""
     shown = {key: told[key] for key in ("study", "build", "model", "size", "radius")}
+    shown["strings"] = told.get("strings", [])
     shown["gauges"] = [[gauge["x"], gauge["y"]] for gauge in told["gauges"]]
     shown["stimuli"] = [
         {"style": each["style"], "sha256": each["sha256"], "picture": _inlined(pictures[each["style"]])}

@@ -24,6 +24,12 @@ class Study:
     stimuli: dict  # style -> {file, sha256}
     places: np.ndarray  # (n, 2)
     truth: np.ndarray  # (n, 3)
+    strings: list  # of (first, end) of gauges along a line each, the last ones of all
+
+    @property
+    def even(self):
+        """How many gauges are spread evenly: the first ones."""
+        return self.strings[0][0] if self.strings else len(self.truth)
 
 
 @dataclass(frozen=True)
@@ -50,11 +56,15 @@ def read_study(folder):
         places = np.array([[gauge["x"], gauge["y"]] for gauge in told["gauges"]], np.float64).reshape(-1, 2)
         truth = np.array([gauge["n"] for gauge in told["gauges"]], np.float64).reshape(-1, 3)
         size, radius = tuple(map(int, told["size"])), float(told["radius"])
-        study = Study(Path(folder), told["study"], told["model"], size, radius, stimuli, places, truth)
+        strings = [tuple(map(int, each)) for each in told.get("strings", [])]
+        study = Study(Path(folder), told["study"], told["model"], size, radius, stimuli, places, truth, strings)
     except (KeyError, TypeError, ValueError) as error:
         raise ValueError(f"{path} is not as `fovea study make` wrote it ({error!r}): make the study again") from error
     if len(truth) < 3 or not np.allclose(np.linalg.norm(truth, axis=1), 1, atol=1e-6):
         raise ValueError(f"{path} has too few gauges, or broken normals: make the study again")
+    ends = [study.even, *(end for _, end in strings)]
+    if study.even < 3 or ends[-1] != len(truth) or any(f != e or e + 3 > end for e, (f, end) in zip(ends, strings)):
+        raise ValueError(f"{path} has strings that are not its last gauges: make the study again")
     return study
 
 

@@ -7,7 +7,7 @@ from html import escape
 
 import numpy as np
 
-from . import formulas
+from . import formulas, string_report
 from .analysis import SAME
 
 MEASURES = {
@@ -38,7 +38,7 @@ def text(told):
         lines.append(f"{label:24}" + "".join(f"{cell:>13}" for cell in cells))
     counts = [f"{len(style['sessions']) - style['refused']}" for style in told["styles"].values()]
     lines.append(f"{'sessions that count':24}" + "".join(f"{count:>13}" for count in counts))
-    return "\n".join([*lines, *refused(told)])
+    return "\n".join([*lines, *string_report.text(told), *refused(told)])
 
 
 def refused(told):
@@ -70,6 +70,7 @@ def parts(analysis, told):
         _errors(told),
         compared(told["p_values"], list(counted)),
         *(_of_style(study, name, found) for name, found in counted.items()),
+        *string_report.parts(study, analysis.styles, gauge, color),
         "<h2>Sessions</h2>",
         _sessions(told),
     ]
@@ -121,7 +122,7 @@ def _sessions(told):
              "error", "after the fit", "seconds a gauge", "counts")]  # fmt: skip
     for style, found in told["styles"].items():
         for each in found["sessions"]:
-            slope = " ".join(f"{value:+.2f}" for value in each["slope"])
+            slope = " ".join(f"{value:+.2f}" for value in each["slope"] or ())
             rows.append((
                 each["participant"], each["session"], style, each["settings"], _number(each["near"], "{:.0%}"),
                 _number(each["spread"]), _number(each["depth"], "{:.2f}"), slope, _number(each["error"]),

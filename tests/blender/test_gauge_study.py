@@ -16,7 +16,7 @@ sys.path.insert(0, str(Path(__file__).parents[2] / "blender_scripts"))
 import picture
 import study
 from command import draw_options
-from gauges import formulas
+from gauges import formulas, strings
 
 SIZE = 256, 192
 
@@ -83,6 +83,25 @@ def test_no_gauge_is_near_the_outline(scene):
 def test_places_are_the_same_each_time_and_others_with_another_seed(scene):
     first, again, other = (study.gauges(scene, 12, seed) for seed in (0, 0, 1))
     assert first == again and first["gauges"] != other["gauges"] and first["tried"] >= 12
+
+
+def test_a_string_lies_on_what_is_seen_and_has_its_profile(scene):
+    found = study.gauges(scene, 12, 0)
+    study.add_strings(scene, [(0.5, 0.5, 30.0), (0.5, 0.45, -60.0)], found)
+    assert found["strings"] == [[12, 27], [27, 42]] and len(found["gauges"]) == 42
+    for first, end in found["strings"]:
+        own = found["gauges"][first:end]
+        assert {gauge["object"] for gauge in own} == {"Ball"}
+        places = np.array([(gauge["x"], gauge["y"]) for gauge in own])
+        along, spacing = strings.line(places)
+        assert spacing == pytest.approx(5 * SIZE[1] / 768, rel=1e-3)
+        radius = SIZE[1] / 2 / scene.camera.data.view_frame(scene=scene)[0].y * 1 / 8  # pixels, of a ball 8 units away
+        bends = strings.curvature(np.array([gauge["n"] for gauge in own]), along, spacing)
+        assert bends == pytest.approx(np.full(14, 1 / radius), rel=0.35), "a ball, in perspective"
+    bpy.data.objects["Ball"].scale, bpy.data.objects["Wall"].hide_render = (0.03, 0.03, 0.03), True
+    bpy.context.view_layer.update()
+    with pytest.raises(ValueError, match="--string 0.5,0.5,0: .* of its 15 gauges are not on a surface"):
+        study.add_strings(scene, [(0.5, 0.5, 0.0)], found)
 
 
 def test_a_scene_with_too_few_places_says_so(scene):

@@ -28,7 +28,7 @@ def study(tmp_path, styles=("pencil", "shaded"), count=GAUGES):
 
 def save(made, participant, style, settings_of, part=0):
     """Writes a session of one participant, a set of gauges twice. `settings_of(truth)`: normals (n, 3)."""
-    numbers = np.arange(len(made.truth))[formulas.sets(len(made.truth))[part]]
+    numbers = np.arange(len(made.truth))[formulas.sets(len(made.truth), made.strings)[part]]
     lines = []
     for repeat in (0, 1):
         for order, (gauge, n) in enumerate(zip(numbers, settings_of(made.truth[numbers]))):

@@ -43,11 +43,12 @@ const anywhere = Array.from({length: 3000}, () => gauge.anywhere(random));
 console.log(JSON.stringify({
     dragged: told.offsets.map(([x, y]) => gauge.dragged(x, y, 20)),
     ellipses: told.normals.map(n => gauge.ellipse(n, 20)),
-    sets: told.counts.map(gauge.sets), log, lines: session.lines(), back: session.back(), counts, anywhere,
+    sets: told.counts.map(count => gauge.sets(count)), strings: told.strings.map(each => gauge.sets(200, each)), log, lines: session.lines(), back: session.back(), counts, anywhere,
     ellipsoid: gauge.normalOfEllipsoid(30, -40, [100, 100, 100]), off: gauge.degreesBetween([0, 0, 1], [0.6, 0, 0.8]),
 }));
 """
 OFFSETS = [(x, y) for x in (-60, -7, 0, 21) for y in (-35, 0, 4, 19)]
+STRINGS = [[[90, 105]], [[45, 60], [60, 75]], [[150, 160], [160, 180], [180, 200]]]
 COUNTS = [7, 30, 31, 45, 90, 91, 180, 1000]
 
 
@@ -58,7 +59,8 @@ def found():
         pytest.skip("Node.js, which would run the page's script, is not installed")
     normals = [formulas.dragged(offset, 20) for offset in OFFSETS]
     study = {**TOLD, "gauges": [[gauge["x"], gauge["y"]] for gauge in TOLD["gauges"]]}
-    asked = {"offsets": OFFSETS, "normals": [list(n) for n in normals], "counts": COUNTS, "study": study}
+    asked = {"offsets": OFFSETS, "normals": [list(n) for n in normals], "counts": COUNTS, "strings": STRINGS}
+    asked["study"] = study
     words = [node, "-e", RUN, str(page.HERE / "gauge.js")]
     done = subprocess.run(words, input=json.dumps(asked), capture_output=True, text=True)
     assert done.returncode == 0, done.stderr
@@ -82,6 +84,8 @@ def test_the_page_draws_the_ellipse_and_the_pin(found):
 def test_sets_are_those_of_the_analysis(found):
     for count, sets in zip(COUNTS, found["sets"]):
         assert [[part.start, part.stop] for part in formulas.sets(count)] == sets
+    for strings, sets in zip(STRINGS, found["strings"]):
+        assert [[part.start, part.stop] for part in formulas.sets(200, strings)] == sets
 
 
 def test_a_session_is_a_set_of_gauges_twice_each_time_in_an_order_of_its_own(found):

@@ -117,7 +117,7 @@ def test_errors_after_the_fit_come_down_to_noise():
     before, after = [], []
     for truth in made:
         each = session(lambda n: observers.settings(random, n, core.BasRelief(0.8, (0.4, -0.3)), lapses=0), truth)
-        told = analysis.judged(core, type("Study", (), {"truth": truth}), each)
+        told = analysis.judged(core, type("Study", (), {"truth": truth, "even": len(truth)}), each)
         before.append(told.errors.mean())
         after.append(told.fitted_errors.mean())
     assert np.mean(before) > 1.5 * np.mean(noise) and np.mean(after) < 1.25 * np.mean(noise)
