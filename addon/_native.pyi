@@ -1930,6 +1930,40 @@ class Salience:
     def share(self, weights: Annotated[ArrayLike, numpy.float32]) -> float:
         """Share of all salience that lies where weights (H, W), 0 to 1, say."""
 
+class StrokeCourses:
+    """Where strokes run beside lines; see native/fovea/study/stroke_course.h."""
+    @property
+    def away(self) -> NDArray[numpy.float32]:
+        """(S,) float32 [px] of strokes to the left of lines, a pixel apart along them; NaN: not told"""
+    @property
+    def first(self) -> NDArray[numpy.int64]:
+        """(R + 1,) int64: line i has the samples first[i] to first[i + 1]"""
+    @property
+    def beyond(self) -> NDArray[numpy.float32]:
+        """(R, 2) float32 [px] that strokes go on beyond starts and ends of lines, below 0: they stop before; NaN: not
+        told"""
+    @staticmethod
+    def of(
+        picture: GrayImage,
+        px: Annotated[ArrayLike, numpy.float32],
+        offsets: Annotated[ArrayLike, numpy.int64],
+        is_free: Annotated[ArrayLike, numpy.uint8],
+        every: Bitmap,
+        reach: float,
+        cap: float,
+    ) -> StrokeCourses:
+        """Of a GrayImage and polylines as for Bitmap.of_lines. is_free: (2 R,) uint8, whether their starts and ends are
+        told; every: the Bitmap of all lines that may be drawn; reach [px]: farthest that strokes are from lines; cap:
+        of a stroke's width, beyond its end."""
+
+def wobble_of(
+    away: Annotated[ArrayLike, numpy.float32],
+    first: Annotated[ArrayLike, numpy.int64],
+    longest: float,
+) -> object:
+    """(amount, wavelength) [px] of a pen's wobble, from `away` and `first` of StrokeCourses; 0, 0: none. longest: wave
+    [px] that is looked for."""
+
 class BasRelief:
     """A surface with its depth scaled and sheared along the view."""
     def __init__(self, depth: float=1.0, slope: Annotated[Sequence[float], 'FixedSize(2)']=(0.0, 0.0)) -> None: ...

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from . import catalogue, fitted_pens, native, style
+from . import catalogue, fitted_hand, fitted_pens, native, style
 
 THRESHOLDS = "threshold", "angle"  # parameters that say how strong a line has to be
 LEAST, MOST = 0.05, 20.0  # times a threshold's default
@@ -28,7 +28,7 @@ class Fitted:
     """A Style, and what it is made of. `thresholds`: {definition: number, True where it has none, None: not drawn};
     `found`, `before`: precision, recall, f1 of its lines, and of those that the style had before; `held_out`: of what
     was held out of the fit, a drawing after the other, or blocks of the only one; `of_each`: of its lines by each
-    drawing alone; `looks`: what fitted_pens.looked found for its line sets."""
+    drawing alone; `looks`, `hands`: what fitted_pens.looked and fitted_hand.hands found for its line sets."""
 
     style: object
     thresholds: dict
@@ -37,6 +37,7 @@ class Fitted:
     held_out: dict
     of_each: list
     looks: list
+    hands: list
     tolerance: float
     drawings: int  # how often lines were drawn
     seconds: float  # that this took
@@ -90,12 +91,13 @@ def drawn_outlines(draw, size, base):
     return native.load().Bitmap.of_lines(*draw(_alone(base, dict.fromkeys(outlines_of(base), ON))), *size)
 
 
-def fit(draw, size, names, base, judges_of, tolerance=None, beta=1.0, pens=True):
+def fit(draw, size, names, base, judges_of, tolerance=None, beta=1.0, pens=True, trace=None):
     """The Fitted of the definitions `names` and the Style `base`. draw(style): (px, offsets) of what it draws in a
     frame of (width, height) pixels. judges_of(reference): the Laid of the artists' drawings; reference() is the Bitmap
     of the base's outlines, for registration. `tolerance` [px], usual where None is given; `beta`: above 1 rather
-    complete than clean; `pens`: whether they get the width and darkness of strokes. ValueError if nothing that can be
-    drawn is near to the drawings."""
+    complete than clean; `pens`: whether they get the width and darkness of strokes, and how the
+    hand draws, where trace(style) gives the fitted_hand.ended of what it draws. ValueError if nothing that can be drawn
+    is near to the drawings."""
     core, ladders = native.load(), [_Ladder(draw, base, name) for name in names]
     laid = judges_of(lambda: drawn_outlines(draw, size, base))
     judges = [each.bitmap for each in laid]
@@ -120,17 +122,22 @@ def fit(draw, size, names, base, judges_of, tolerance=None, beta=1.0, pens=True)
     if len(judges) > 1:
         of_each = [core.Evidence(strengths, [one], tolerance).judged(found["thresholds"], beta) for one in judges]
     held_out = evidence.cross_validated(found["thresholds"], beta)
-    made, looks = _pruned(style_with(base, chosen)), []
+    made, looks, hands = _pruned(style_with(base, chosen)), [], []
     if pens:
         lines = {of.name: each.above(float(t)) for of, each, t in zip(ladders, strengths, found["thresholds"])}
         looks = _looks(made, lines, laid, tolerance)
         made = fitted_pens.with_looks(made, looks, size[1])
+    if pens and trace:
+        every = _union(lines[name] for line_set in made.line_sets for name in line_set.kinds)
+        hands = fitted_hand.hands(made.line_sets, fitted_hand.traced(trace, style_with(base, chosen)), laid, every)
+        made = fitted_hand.with_hands(made, hands, size[1])
     return Fitted(
         made,
         {name: _told(name, chosen.get(name)) for name in names},
         *(_measures(of) for of in (found, before, held_out)),
         [_measures(of) for of in of_each],
         [look for look in looks if look],
+        [hand for hand in hands if hand],
         tolerance,
         sum(len(ladder.drawn) for ladder in ladders),
         sum(ladder.seconds for ladder in ladders),

@@ -46,8 +46,8 @@ def anywhere(random):
 
 
 def sets(count, strings=(), usual=30):
-    """How gauges are shared out over sessions: slices of consecutive ones, of nearly equal sizes up to `usual`; then two
-    strings for each. `strings`: (first, end) of those at the end of all."""
+    """How gauges are shared out over sessions: slices of consecutive ones, of nearly equal sizes up to `usual`; then
+    two strings for each. `strings`: (first, end) of those at the end of all."""
     count = strings[0][0] if strings else count
     parts = -(-count // usual)
     ends = [round(i * count / parts) for i in range(parts + 1)]

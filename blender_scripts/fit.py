@@ -45,6 +45,7 @@ def main(words):
         "cross_validated_f1": found.held_out["f1"],
         "judged_by": [{"name": d.name} | of for d, of in zip(drawings, found.of_each)],
         "pens": [asdict(look) for look in found.looks],
+        "hands": [asdict(hand) for hand in found.hands],
         "tolerance_px": found.tolerance,
         "style": str(options.output),
         "drawings": found.drawings,

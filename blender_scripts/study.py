@@ -86,8 +86,8 @@ def add_strings(scene, asked, found):
         normals, names, which = as_rendered.look(bpy.context, look)
         if len(which) < len(places):
             raise ValueError(
-                f"--string {u:g},{v:g},{degrees:g}: {len(places) - len(which)} of its {len(places)} gauges are not on a "
-                "surface, away from its outlines, creases and steps: move or turn it, or come nearer"
+                f"--string {u:g},{v:g},{degrees:g}: {len(places) - len(which)} of its {len(places)} gauges are not on "
+                "a surface, away from its outlines, creases and steps: move or turn it, or come nearer"
             )
         first = len(found["gauges"])
         found["gauges"] += _told(places, normals, names)

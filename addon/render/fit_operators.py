@@ -11,9 +11,9 @@ from .compare_operators import OfDrawing
 
 
 class FOVEA_OT_fit_style(OfDrawing, bpy.types.Operator):
-    """Give the scene a new style that draws it as a drawing of this frame has it: line definitions on or off, and their
-    thresholds, and the width and darkness of pens. All else is that of its present style, which stays in the file if it
-    was edited"""
+    """Give the scene a new style that draws it as a drawing of this frame has it: line definitions on or off, their
+    thresholds, the width and darkness of pens, overshoot and wobble. All else is that of its present style, which stays
+    in the file if it was edited"""
 
     bl_idname, bl_label = "fovea.fit_style", "Fit Style to Drawing"
     shown = (*OfDrawing.shown, "completeness", "pens")
@@ -27,7 +27,7 @@ class FOVEA_OT_fit_style(OfDrawing, bpy.types.Operator):
     )
     pens: bpy.props.BoolProperty(
         name="Pens",
-        description="Pens get the width and darkness of the drawing's strokes, where it shows them",
+        description="Pens get the width, darkness, overshoot and wobble of the drawing's strokes, where it shows them",
         default=True,
     )
 
@@ -43,6 +43,7 @@ class FOVEA_OT_fit_style(OfDrawing, bpy.types.Operator):
         style_data.use(scene, found.style, f"Fitted from {drawing.name}")
         told = [_told(name, value) for name, value in found.thresholds.items() if value is not None]
         told += [f"pen of '{look.name}' {look.width:.1f} px wide" for look in found.looks]
+        told += [f"'{hand.name}' {_told_of_hand(hand)}" for hand in found.hands if hand.overshoot or hand.wobble]
         self.report(
             {"INFO"},
             f"The style '{scene.fovea.style.name}' has F1 {found.found['f1']:.2f}, the one before "
@@ -52,3 +53,8 @@ class FOVEA_OT_fit_style(OfDrawing, bpy.types.Operator):
 
 def _told(name, value):
     return name if value is True else f"{name} from {value:g}"
+
+
+def _told_of_hand(hand):
+    parts = {"overshoots": hand.overshoot, "wobbles": hand.wobble}
+    return " and ".join(f"{word} by {value:.1f} px" for word, value in parts.items() if value)

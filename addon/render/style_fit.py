@@ -3,7 +3,7 @@
 
 import numpy as np
 
-from .. import fitted_style, line_arrays, native, pipeline
+from .. import fitted_hand, fitted_style, line_arrays, native, pipeline
 from ..scene import camera, scene
 from ..scene.problem import CannotDraw
 from . import as_rendered, definition_strengths, reading, session
@@ -18,8 +18,9 @@ def fit(context, size, names, base, judges_of, tolerance=None, beta=1.0, pens=Tr
         cancel, every = core.Cancel(), fitted_style.style_with(base, dict.fromkeys(names, fitted_style.ON))
         with session.watched(engine, cancel), cancel:
             try:
-                draw = drawer(engine, depsgraph, every, cancel)
-                return fitted_style.fit(draw, size, names, base, judges_of, tolerance, beta, pens)
+                find = finder(engine, depsgraph, every, cancel)
+                draw, how = _drawing(find), (tolerance, beta, pens)
+                return fitted_style.fit(draw, size, names, base, judges_of, *how, _tracing(find, size))
             except core.Cancelled as stopped:
                 raise CannotDraw("Stopped before the style was fitted") from stopped
 
@@ -27,20 +28,36 @@ def fit(context, size, names, base, judges_of, tolerance=None, beta=1.0, pens=Tr
 
 
 def drawer(engine, depsgraph, chosen, cancel=None):
-    """A function that gives (px, offsets) of the visible lines of a Style with the line sets of `chosen`. `cancel`: a
-    native Cancel, or None."""
+    """A function that gives (px, offsets) of the visible lines of a Style with the line sets of `chosen`, which draws
+    no hidden ones. `cancel`: a native Cancel, or None."""
+    return _drawing(finder(engine, depsgraph, chosen, cancel))
+
+
+def _drawing(find):
+    def draw(wanted):
+        found = find(wanted)
+        return found["px"], found["offsets"]
+
+    return draw
+
+
+def _tracing(find, size):
+    return lambda wanted: fitted_hand.ended(find(wanted), size)
+
+
+def finder(engine, depsgraph, chosen, cancel=None):
+    """A function that gives the line_arrays.seen of a Style with the line sets of `chosen`."""
     read = reading.Reader().read(depsgraph, chosen, cancel=cancel)
     if not read.snapshot.surfaces:
         raise CannotDraw("The scene is empty: there is nothing that has lines")
     core = native.load()
     seen = scene.seen(core, camera.of_render(engine, depsgraph))
 
-    def draw(wanted):
+    def find(wanted):
         beside = {"notes": read.notes, "cancel": cancel}
         frame = pipeline.frame(read.placed, seen, wanted, core.CpuBackend(), pipeline.options(), **beside)
         with native.refusals():
             frame.find()
-            found = line_arrays.seen(frame, np.eye(4))
-        return found["px"], found["offsets"]
+            return line_arrays.seen(frame, np.eye(4))
 
-    return draw
+    return find

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Render > Fovea > Set Gauges of a Study: a person turns gauges on a picture in an image editor until they seem to lie on
-what it shows, and they are saved beside the study, as those of its page are."""
+"""Render > Fovea > Set Gauges of a Study: a person turns gauges on a picture in an image editor until they seem to lie
+on what it shows, and they are saved beside the study, as those of its page are."""
 
 import bpy
 import numpy as np

@@ -43,7 +43,7 @@ def parse(words):
     by = ("lines", "marks")
     parser.add_argument("--register", choices=by, help="a scan, registered to the lines of the scene by that")
     parser.add_argument(
-        "--keep-pens", action="store_true", help="pens are those of --style, not as wide as strokes are"
+        "--keep-pens", action="store_true", help="pens and hand are those of --style, not the drawing's"
     )
     parser.add_argument("--json", action="store_true")
     options = parser.parse_args(words)
@@ -66,4 +66,12 @@ def told(found):
     for pen in found["pens"]:
         dark = "" if pen["darkness"] is None else f", {pen['darkness']:.0%} dark"
         lines.append(f"  pen of {pen['name']:17}{pen['width']:.2f} px wide{dark}")
+    lines += [f"  hand of {hand['name']:16}{_hand(hand)}" for hand in found["hands"]]
     return "\n".join([*lines, found["style"]])
+
+
+def _hand(hand):
+    """What is known of how a line set's strokes are drawn."""
+    far, wobble, wave = hand["overshoot"], hand["wobble"], hand["wobble_length"]
+    over = "overshoot unknown" if far is None else f"overshoot {far:.1f} px" if far else "no overshoot"
+    return f"{over}, wobble {wobble:.1f} px in waves of {wave:.0f} px" if wave else f"{over}, no wobble"

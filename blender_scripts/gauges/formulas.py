@@ -30,8 +30,8 @@ def places(first, count, size):
 
 
 def string(middle, degrees, size):
-    """(STRING, 2) places along a line through a place, from the left and the top of a picture of (width, height), both 0
-    to 1, that rises by so many degrees."""
+    """(STRING, 2) places along a line through a place, from the left and the top of a picture of (width, height), both
+    0 to 1, that rises by so many degrees."""
     along = np.array([np.cos(np.radians(degrees)), -np.sin(np.radians(degrees))])
     steps = np.arange(STRING) - (STRING - 1) / 2
     return np.multiply(middle, size) + SPACING * size[1] * steps[:, None] * along

@@ -28,6 +28,7 @@ void bind_draw(pybind11::module_& m);
 void bind_vector(pybind11::module_& m);
 void bind_study(pybind11::module_& m);
 void bind_salience(pybind11::module_& m);
+void bind_courses(pybind11::module_& m);
 void bind_gauges(pybind11::module_& m);
 void bind_learn(pybind11::module_& m);
 

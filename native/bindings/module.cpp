@@ -20,6 +20,7 @@ PYBIND11_MODULE(_native, m) {
     bind_vector(m);
     bind_study(m);
     bind_salience(m);
+    bind_courses(m);
     bind_gauges(m);
     bind_learn(m);
     // Notes of Python code about the loaded module. Reimporting resets the module's attributes to those set here, but

@@ -97,6 +97,35 @@ def test_pens_get_the_width_and_darkness_of_a_rendered_drawing(monkey, tmp_path)
     assert forms.opacity == pytest.approx(0.7, rel=0.1) and lines.opacity == pytest.approx(1.0, rel=0.05)
 
 
+@pytest.fixture
+def boxes(monkey):
+    """Boxes that stand apart, above a camera's middle, in place of the monkey."""
+    for obj in [obj for obj in monkey.objects if obj.type == "MESH"]:
+        bpy.data.objects.remove(obj)
+    for i in range(8):
+        bpy.ops.mesh.primitive_cube_add(size=0.7, location=(0.9 * (i % 4) - 0.4, 0, i // 4 - 0.4), rotation=(0, 0, 0.3))
+    return monkey
+
+
+@pytest.mark.parametrize("overshoot, wobble, length", [(12.0, 3.0, 80.0), (0.0, 0.0, 60.0)])
+def test_overshoot_and_wobble_of_a_rendered_drawing_are_found_again(boxes, tmp_path, overshoot, wobble, length):
+    """In pixels of an image 1080 pixels high, of whatever size the drawing is."""
+    boxes.render.resolution_x, boxes.render.resolution_y = 1280, 960
+    base = style.load("plain").replace(elision=style.Elision())
+    forms, lines = base.line_sets
+    pen = style.Pen(width=2.5, wobble=wobble, wobble_length=length)
+    style_data.use(boxes, base.replace(line_sets=(forms, lines.replace(pen=pen, overshoot=overshoot))), "Artist")
+    boxes.render.filepath, boxes.view_settings.view_transform = str(tmp_path / "artist.png"), "Standard"
+    bpy.ops.render.render(write_still=True)
+    other = lines.replace(pen=style.Pen(width=2.5, wobble=1.0, wobble_length=60.0), overshoot=5.0)
+    style_data.use(boxes, base.replace(line_sets=(forms, other)), "Base")
+    assert bpy.ops.fovea.fit_style(filepath=boxes.render.filepath) == {"FINISHED"}
+    (found,) = style_read.read(boxes.fovea.style).line_sets
+    assert found.overshoot == pytest.approx(overshoot, rel=0.15)
+    assert found.pen.wobble == pytest.approx(wobble, rel=0.15)
+    assert found.pen.wobble_length == pytest.approx(length, rel=0.15)
+
+
 def test_a_fit_that_is_canceled_leaves_the_style_as_it_was(monkey, tmp_path, monkeypatch):
     monkey.render.resolution_x, monkey.render.resolution_y = SIZE
     bpy.ops.fovea.style_new(style="plain")

@@ -143,11 +143,16 @@ def test_words_and_figures_of_the_command(tmp_path, capsys):
     found = measures | {"before": measures, "tolerance_px": 2.0, "style": "a.json", "cross_validated_f1": 0.6}
     found |= {"thresholds": {"contour": True, "crease": 47.25, "ridge": None}, "judged_by": [{"name": "a"} | measures]}
     found |= {"pens": [{"name": "lines", "width": 2.5, "darkness": 0.8}, {"name": "a", "width": 1.5, "darkness": None}]}
+    hand = {"name": "lines", "overshoot": 6.25, "wobble": 1.5, "wobble_length": 61.2}
+    other = {"name": "a", "overshoot": None, "wobble": 0.0, "wobble_length": None}
+    found["hands"] = [hand, other, other | {"overshoot": 0.0}]
     text = fit.told(found).splitlines()
     assert text[1] == "F1 0.600 of parts of the drawing that were held out of the fit"
     assert [line.split()[-1] for line in text[2:5]] == ["on", "47.25", "off"]
     assert [line.split() for line in text[5:]] == [
-        "pen of lines 2.50 px wide, 80% dark".split(), "pen of a 1.50 px wide".split(), ["a.json"]
+        "pen of lines 2.50 px wide, 80% dark".split(), "pen of a 1.50 px wide".split(),
+        "hand of lines overshoot 6.2 px, wobble 1.5 px in waves of 61 px".split(),
+        "hand of a overshoot unknown, no wobble".split(), "hand of a no overshoot, no wobble".split(), ["a.json"]
     ]  # fmt: skip
     text = fit.told(found | {"judged_by": [{"name": name} | measures for name in "ab"]}).splitlines()
     assert text[2].split() == "b precision 1.000, recall 0.500, F1 0.667".split()

@@ -43,7 +43,9 @@ const anywhere = Array.from({length: 3000}, () => gauge.anywhere(random));
 console.log(JSON.stringify({
     dragged: told.offsets.map(([x, y]) => gauge.dragged(x, y, 20)),
     ellipses: told.normals.map(n => gauge.ellipse(n, 20)),
-    sets: told.counts.map(count => gauge.sets(count)), strings: told.strings.map(each => gauge.sets(200, each)), log, lines: session.lines(), back: session.back(), counts, anywhere,
+    sets: told.counts.map(count => gauge.sets(count)),
+    strings: told.strings.map(each => gauge.sets(200, each)), log,
+    lines: session.lines(), back: session.back(), counts, anywhere,
     ellipsoid: gauge.normalOfEllipsoid(30, -40, [100, 100, 100]), off: gauge.degreesBetween([0, 0, 1], [0.6, 0, 0.8]),
 }));
 """

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Gauge sessions in Blender, without a window: what the pointer and keys do, and that the analysis of what is saved knows
-what people saw who are simulated drag by drag."""
+"""Gauge sessions in Blender, without a window: what the pointer and keys do, and that the analysis of what is saved
+knows what people saw who are simulated drag by drag."""
 
 import hashlib
 import json

@@ -71,7 +71,8 @@ MODULES = {
     "svg_drawing": "paper_scale",
     "comparison_report": "files native",
     "explained_lines": "",
-    "fitted_style": "catalogue fitted_pens native style",
+    "fitted_style": "catalogue fitted_hand fitted_pens native style",
+    "fitted_hand": "native stages style",
     "fitted_pens": "stages",
     "learned_lines": "native",
     "gaze": "files heat_map native",
@@ -87,7 +88,7 @@ FOLDERS = "gpu scene focus style render ui".split()
 
 # `native.load()` gives the native module; other parts get handles from these.
 LOADERS = (
-    r"addon/(gpu/\w+|catalogue|comparison(_report)?|curve_fit|fitted_style|gaze|learned_lines|line_arrays|pipeline|scene/api|ui/preferences|"
+    r"addon/(gpu/\w+|catalogue|comparison(_report)?|curve_fit|fitted_(hand|style)|gaze|learned_lines|line_arrays|pipeline|scene/api|ui/preferences|"
     r"style/(__init__|style_picture)|render/(bake_operators|definition_strengths|drawn_lines|gaze_check|gpu_check|"
     r"line_operators|local_properties|methods|motion_blur|near_frames|reading|session|style_fit|vector_settings|vectors|viewport|whole_pictures"
     r"))\.py"

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Scenarios of gauges that are set in an image editor, with pointer events, in a window; see inside.py. Tests check what
-a scenario returns."""
+"""Scenarios of gauges that are set in an image editor, with pointer events, in a window; see inside.py. Tests check
+what a scenario returns."""
 
 import hashlib
 import json

@@ -8,7 +8,7 @@
 
 #include <fovea/base/check.h>
 #include <fovea/base/parallel.h>
-#include <fovea/color/srgb.h>
+#include <fovea/study/darkness.h>
 #include <fovea/study/line_direction.h>
 #include <fovea/study/nearest_pixel.h>
 #include <fovea/study/precision_recall.h>
@@ -28,34 +28,6 @@ constexpr float end = 0.06f,
 constexpr float border = 0.08f;   // of it: a pixel that is neither paper nor ink throughout is between
 constexpr std::size_t bins = 50;  // of shares of ink at borders
 constexpr double uneven = 0.3;    // shares at borders tell nothing: all lines lie alike on the pixels
-
-/// How much darker than the paper each pixel is, [0, 1]; on dark paper, how much brighter.
-struct Darkness {
-    int width, height;
-    Array<float> values;
-
-    float at(int x, int y) const {
-        const bool is_inside = x >= 0 && y >= 0 && x < width && y < height;
-        return is_inside ? values[std::size_t(y) * std::size_t(width) + std::size_t(x)] : 0.0f;
-    }
-    float at(const vec2& p) const {
-        const vec2 low = glm::floor(p - 0.5f), t = p - 0.5f - low;
-        const int x = int(low.x), y = int(low.y);
-        return std::lerp(std::lerp(at(x, y), at(x + 1, y), t.x), std::lerp(at(x, y + 1), at(x + 1, y + 1), t.x), t.y);
-    }
-};
-
-Darkness darkness_of(const color::GrayImage& picture, bool of_light) {
-    const auto light = [&](int value) {
-        const float share = float(value) / 255.0f;
-        return of_light ? color::from_srgb(share) : share;
-    };
-    const float paper = light(paper_of(picture)), most = paper_of(picture) < dark_paper ? 1.0f - paper : -paper;
-    std::array<float, 256> table{};
-    for (int value = 0; value < 256; ++value) table[std::size_t(value)] = std::max(0.0f, (light(value) - paper) / most);
-    return {picture.width, picture.height,
-            parallel_map<float>(picture.values.size(), [&](std::size_t i) { return table[picture.values[i]]; })};
-}
 
 /// How dark the stroke is at most, at each pixel of the lines.
 Array<float> inks_of(const Darkness& dark, const Bitmap& lines, const Array<Index>& pixels) {
