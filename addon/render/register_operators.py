@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Render > Fovea > Register Drawing: a scan brought to where the scene's lines are, behind what the camera sees."""
 
-from pathlib import Path
+from functools import partial
 
 import bpy
 
-from .. import comparison, files
+from .. import comparison, files, paper_scale
 from ..scene.problem import CannotDraw
 from .compare_operators import REGISTER, OfDrawing, lines_of_render
 
@@ -24,23 +24,37 @@ class FOVEA_OT_register_drawing(OfDrawing, bpy.types.Operator):
     )
 
     def act(self, context):
-        path, camera = Path(bpy.path.abspath(self.filepath)), context.scene.camera
+        path, camera = self._path(), context.scene.camera
         if camera.type != "CAMERA" or camera.data.library:
             raise CannotDraw(f"'{camera.name}' is no camera of this file: make it local to show a drawing behind it")
-        lines = lines_of_render(context)
-        reference = lines.bitmap(lines.size)
-        content, found = comparison.registered_png(path, reference, self.register_by.lower(), self.tolerance or None)
+        content, found, tolerance, recall = lines_of_render(context, partial(self._registered, path))
         made = path.with_name(f"{path.stem}{ENDING}.png")
         with files.written(made) as fresh:
             fresh.write_bytes(content)
         show_behind(camera.data, made)
-        tolerance = self.tolerance or reference.usual_tolerance
-        recall = reference.measures(found.bitmap, tolerance)["precision"]
         self.report(
             {"INFO"},
             f"'{made.name}' is behind what '{camera.name}' sees: {recall:.0%} of the scene's lines are within "
             f"{tolerance:.1f} pixels of it",
         )
+
+    def _path(self):
+        path, *others = self.paths
+        if others:
+            raise CannotDraw("Register one drawing after the other: a camera shows the one that was registered last")
+        return path
+
+    def _registered(self, path, lines):
+        """(bytes of the PNG, its Laid, tolerance [px], share of the lines near to it)."""
+        reference, asked = lines.bitmap(lines.size), self.near
+        on_paper = isinstance(asked, comparison.Millimeters)
+        content, found = comparison.registered_png(
+            path, reference, self.register_by.lower(), None if on_paper else asked
+        )
+        tolerance = asked or reference.usual_tolerance
+        if on_paper:
+            tolerance = paper_scale.in_pixels(asked, lines.size[0], [(path.stem, found.px_per_mm)])
+        return content, found, tolerance, reference.measures(found.bitmap, tolerance)["precision"]
 
 
 def show_behind(camera, path):

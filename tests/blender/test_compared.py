@@ -51,6 +51,33 @@ def test_the_lines_of_a_scene_are_compared_with_a_drawing_of_it(cube, tmp_path):
     assert len(inked) > 400 and np.ptp(inked, axis=1).max() < 0.01, "all lines are in both, which is gray"
 
 
+def test_several_drawings_are_compared_with_an_image_of_each(cube, tmp_path):
+    saved(tmp_path / "a.npz", square())
+    saved(tmp_path / "b.npz", square() + np.float32(0.5))
+    chosen = {"directory": str(tmp_path), "files": [{"name": "a.npz"}, {"name": "b.npz"}]}
+    assert bpy.ops.fovea.compare_drawing(**chosen, filepath=str(tmp_path / "a.npz"), tolerance=2.0) == {"FINISHED"}
+    assert {"Compared with a", "Compared with b"} <= {image.name for image in bpy.data.images}
+
+
+def test_a_tolerance_in_millimeters_is_of_the_paper(cube, tmp_path, monkeypatch):
+    """The frame is 160 mm wide: a drawing 2 pixels beside the scene's lines is 1 mm beside them."""
+    path, asked = saved(tmp_path / "moved.npz", square() + np.float32(2.0)), []
+    compare = comparison.of_drawings
+
+    def noted(*words):
+        asked.append(compare(*words).found)
+        return compare(*words)
+
+    monkeypatch.setattr(comparison, "of_drawings", noted)
+    how = {"filepath": str(path), "unit": "MILLIMETERS"}
+    bpy.ops.fovea.compare_drawing(**how, tolerance=0.6, paper_width=160.0)
+    bpy.ops.fovea.compare_drawing(**how, tolerance=1.5, paper_width=160.0)
+    assert [found["tolerance_px"] for found in asked] == pytest.approx([1.2, 3.0])
+    assert asked[0]["f1"] < 0.2 and asked[1]["f1"] > 0.99
+    with pytest.raises(RuntimeError, match="no drawing says it: name its width with Paper Width"):
+        bpy.ops.fovea.compare_drawing(**how, tolerance=1.0)
+
+
 def test_a_drawing_that_is_none_is_refused_in_a_sentence(cube, tmp_path):
     (tmp_path / "a.png").write_bytes(b"no")
     with pytest.raises(RuntimeError, match=r"a\.png: PNG"):

@@ -165,6 +165,15 @@ def test_a_scene_gets_a_new_style_as_it_is_drawn_and_keeps_an_edited_one(monkey,
     assert {name for line_set in made.line_sets for name in line_set.kinds} == set(ARTIST)
     assert made.line_sets[0].kinds["ridge"]["threshold"] == pytest.approx(ARTIST["ridge"], rel=0.1)
     assert made.line_sets[0].pen.width == 4.5
+    style_data.use(monkey, base, "Base")
+    (tmp_path / "other.png").write_bytes((tmp_path / "artist.png").read_bytes())
+    both = {"directory": str(tmp_path), "files": [{"name": "artist.png"}, {"name": "other.png"}]}
+    width = 10.0 * SIZE[0]  # 2 pixels are 20 mm
+    assert bpy.ops.fovea.fit_style(**both, tolerance=20.0, unit="MILLIMETERS", paper_width=width) == {"FINISHED"}
+    assert monkey.fovea.style.name == "Fitted from artist and other"
+    again = style_read.read(monkey.fovea.style)
+    assert again.line_sets[0].kinds == made.line_sets[0].kinds
+    style_data.use(monkey, made, "Fitted from artist")
     (tmp_path / "empty.png").write_bytes(b"no")
     with pytest.raises(RuntimeError, match=r"empty\.png: PNG"):
         bpy.ops.fovea.fit_style(filepath=str(tmp_path / "empty.png"))

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Scans of drawings brought to where a scene's lines are, in Blender."""
 
+from contextlib import contextmanager
+
 import bpy
 import numpy as np
 import pytest
@@ -78,6 +80,47 @@ def test_registering_again_keeps_one_picture_and_reads_it_anew(bottle, tmp_path)
     bpy.ops.fovea.register_drawing(filepath=str(path), tolerance=2.0)
     assert (tmp_path / "scan_registered.png").read_bytes() != first
     assert len(bottle.camera.data.background_images) == 2 and other.image is None
+
+
+def test_a_registration_that_is_canceled_writes_nothing(bottle, tmp_path, monkeypatch):
+    path = saved(tmp_path / "scan.png", scan_of(lines_of(bottle)))
+    session, register, cancels = part("render.session"), comparison.registered_png, []
+
+    @contextmanager
+    def watched(_engine, cancel):
+        cancels.append(cancel)
+        yield
+
+    def canceled(*words):
+        cancels[-1].cancel()  # as the thread does that sees the escape key, once lines are drawn
+        return register(*words)
+
+    monkeypatch.setattr(session, "watched", watched)
+    monkeypatch.setattr(comparison, "registered_png", canceled)
+    with pytest.raises(RuntimeError, match="Stopped before it was done: nothing has changed"):
+        bpy.ops.fovea.register_drawing(filepath=str(path), tolerance=2.0)
+    assert [file.name for file in tmp_path.iterdir()] == ["scan.png"]
+    assert not len(bottle.camera.data.background_images)
+
+
+def test_the_registration_of_lines_itself_stops_when_it_is_canceled(bottle):
+    core, lines = native.load(), lines_of(bottle)
+    cancel = core.Cancel()
+    cancel.cancel()
+    with pytest.raises(core.Cancelled), cancel:
+        lines.registration(lines, 2.0)
+    assert lines.registration(lines, 2.0)["outer_share"] == 1.0
+
+
+def test_a_scan_says_how_large_its_paper_is(bottle, tmp_path):
+    path = saved(tmp_path / "scan.png", scan_of(lines_of(bottle)))
+    how = {"filepath": str(path), "unit": "MILLIMETERS", "tolerance": 1.0}
+    with pytest.raises(RuntimeError, match="name its width with Paper Width"):
+        bpy.ops.fovea.register_drawing(**how)
+    assert not (tmp_path / "scan_registered.png").exists()
+    assert bpy.ops.fovea.register_drawing(**how, paper_width=200.0) == {"FINISHED"}
+    with pytest.raises(RuntimeError, match="Register one drawing after the other"):
+        bpy.ops.fovea.register_drawing(directory=str(tmp_path), files=[{"name": "a.png"}, {"name": "b.png"}])
 
 
 def test_what_cannot_be_registered_is_refused_and_writes_nothing(bottle, tmp_path):
