@@ -2,7 +2,6 @@
 """Render > Fovea > Learn Lines from Drawing: a model of where an artist draws, and the scene's lines by it."""
 
 from functools import cache
-from pathlib import Path
 
 import bpy
 
@@ -27,8 +26,8 @@ def _items():
 
 
 class FOVEA_OT_learn_lines(OfDrawing, bpy.types.Operator):
-    """Learn from a drawing of this frame where its artist draws lines, write that to a file beside the drawing, and
-    draw such lines by the pen of the line set that is edited"""
+    """Learn from a drawing of this frame, or several, where artists draw lines, write that to a file beside the first,
+    and draw such lines by the pen of the line set that is edited"""
 
     bl_idname, bl_label = "fovea.learn_lines", "Learn Lines from Drawing"
     shown = (*OfDrawing.shown, "kind", "alone")
@@ -39,11 +38,12 @@ class FOVEA_OT_learn_lines(OfDrawing, bpy.types.Operator):
     )
 
     def act(self, context):
-        drawing, by, tolerance = self.asked()
+        drawings, by, tolerance = self.asked()
         line_set = _edited(context.scene)
-        path = Path(bpy.path.abspath(self.filepath)).with_suffix(SUFFIX)
-        size = comparison.frame_for([drawing], camera.frame_size(context.scene.render), by)
-        judges_of = comparison.judges_of([drawing], size, by, tolerance)
+        path = self.paths[0].with_suffix(SUFFIX)
+        size = comparison.frame_for(drawings, camera.frame_size(context.scene.render), by)
+        tolerance = comparison.tolerance_in(drawings, size, by, tolerance)
+        judges_of = comparison.judges_of(drawings, size, by, tolerance)
         properties, judges, outlines = local_properties.with_judges(context, size, None, judges_of)
         made = learned_lines.learn(properties, judges, self.kind.lower(), tolerance, outlines)
         with files.written(path) as fresh:

@@ -67,6 +67,18 @@ def test_a_drawing_is_learned_and_the_scene_drawn_by_it(scene, tmp_path):
     assert lines.measures(wanted, 3.0)["f1"] > 0.8
 
 
+def test_of_several_drawings_the_mean_is_learned_with_a_tolerance_in_millimeters(scene, tmp_path):
+    first = drawing(scene, tmp_path)
+    (tmp_path / "other.png").write_bytes(first.read_bytes())
+    asked = {"unit": "MILLIMETERS", "tolerance": 1.0, "paper_width": 128.0}  # five pixels
+    names = [{"name": "artist.png"}, {"name": "other.png"}]
+    done = bpy.ops.fovea.learn_lines(filepath=str(first), directory=str(tmp_path), files=names, kind="TREE", **asked)
+    assert done == {"FINISHED"}
+    of_both = (tmp_path / "artist.lines.json").read_text()
+    assert bpy.ops.fovea.learn_lines(filepath=str(first), kind="TREE", tolerance=5.0) == {"FINISHED"}
+    assert (tmp_path / "artist.lines.json").read_text() == of_both
+
+
 def test_the_other_lines_of_a_style_stay_if_one_likes(scene, tmp_path):
     use_style(scene, "plain")
     picture = drawing(scene, tmp_path)
