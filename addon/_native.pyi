@@ -1827,6 +1827,8 @@ class Bitmap:
         """{to_scan: (3, 3) from pixels of a reference Bitmap to those of this one, outer_share: share of its outer
         boundary that is within the tolerance [px]}, by their lines; None if one is empty."""
 
+LEAST_INK: float
+
 class StrokeLooks:
     """How wide and dark strokes are; see native/fovea/study/stroke_look.h."""
     @property

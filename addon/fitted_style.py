@@ -7,6 +7,7 @@ pictures, fitted, and drawn and fitted again at more thresholds near those found
 
 import time
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 
@@ -20,6 +21,9 @@ NOTHING = (
     "no lines of the scene are near to the drawing: look at both by fovea compare, register a scan, or allow a larger "
     "tolerance"
 )
+PALEST = 2.0  # times the ink that is seen: less is no line of a picture, as strokes are narrow where they end
+FADED = 0.01  # share of a picture's strokes that is half as dark as most, if they fade
+CLOSER, CLOSE = 4.0, 0.95  # a drawing with that F1 within a share of the usual tolerance is fitted within that
 ON = 1.0  # stands for the threshold of a definition without one
 
 
@@ -92,26 +96,32 @@ def drawn_outlines(draw, size, base):
 
 
 def fit(draw, size, names, base, judges_of, tolerance=None, beta=1.0, pens=True, trace=None):
-    """The Fitted of the definitions `names` and the Style `base`. draw(style): (px, offsets) of what it draws in a
-    frame of (width, height) pixels. judges_of(reference): the Laid of the artists' drawings; reference() is the Bitmap
-    of the base's outlines, for registration. `tolerance` [px], usual where None is given; `beta`: above 1 rather
-    complete than clean; `pens`: whether they get the width and darkness of strokes, and how the
-    hand draws, where trace(style) gives the fitted_hand.ended of what it draws. ValueError if nothing that can be drawn
-    is near to the drawings."""
-    core, ladders = native.load(), [_Ladder(draw, base, name) for name in names]
+    """The Fitted of the definitions `names` and the Style `base`. draw(style, least): (px, offsets) of what it draws
+    in a frame of (width, height) pixels at least so strongly. judges_of(reference): the Laid of the artists' drawings;
+    reference() is the Bitmap of the base's outlines, for registration. `tolerance` [px]; None: the usual one, or less
+    for drawings that keep to the lines, as renders do. `beta`: above 1 rather complete than clean; `pens`: whether they
+    get the width and darkness of strokes, and how the hand draws, where trace(style) gives the fitted_hand.ended of
+    what it draws. ValueError if nothing that can be drawn is near to the drawings."""
+    core = native.load()
     laid = judges_of(lambda: drawn_outlines(draw, size, base))
+    least = PALEST * core.LEAST_INK if all(_fades(each) for each in laid) else 0.0
+    ladders = [_Ladder(partial(draw, least=least), base, name) for name in names]
     judges = [each.bitmap for each in laid]
-    tolerance = judges[0].usual_tolerance if tolerance is None else tolerance
+    near = judges[0].usual_tolerance if tolerance is None else tolerance
     usual = [ladder.usual for ladder in ladders]
     for ladder in ladders:
         ladder.climb(ladder.coarse())
-    found = core.Evidence(_strengths(ladders, size), judges, tolerance).fitted(_floats(usual), beta)
+    strengths = _strengths(ladders, size)
+    found = core.Evidence(strengths, judges, near).fitted(_floats(usual), beta)
+    closely = core.Evidence(strengths, judges, near / CLOSER)
+    if tolerance is None and closely.judged(found["thresholds"])["f1"] >= CLOSE:
+        near, found = near / CLOSER, closely.fitted(found["thresholds"], beta)
     for ladder, threshold in zip(ladders, found["thresholds"]):
         ladder.at(ladder.usual)
         if np.isfinite(threshold):
             ladder.climb(ladder.fine(threshold))
     strengths = _strengths(ladders, size)
-    evidence = core.Evidence(strengths, judges, tolerance)
+    evidence = core.Evidence(strengths, judges, near)
     found = evidence.fitted(found["thresholds"], beta)
     own = [ladder.usual if ladder.in_base else np.inf for ladder in ladders]
     before = evidence.judged(_floats(own), beta)
@@ -120,12 +130,12 @@ def fit(draw, size, names, base, judges_of, tolerance=None, beta=1.0, pens=True,
         raise ValueError(NOTHING)
     of_each = [found]
     if len(judges) > 1:
-        of_each = [core.Evidence(strengths, [one], tolerance).judged(found["thresholds"], beta) for one in judges]
+        of_each = [core.Evidence(strengths, [one], near).judged(found["thresholds"], beta) for one in judges]
     held_out = evidence.cross_validated(found["thresholds"], beta)
     made, looks, hands = _pruned(style_with(base, chosen)), [], []
     if pens:
         lines = {of.name: each.above(float(t)) for of, each, t in zip(ladders, strengths, found["thresholds"])}
-        looks = _looks(made, lines, laid, tolerance)
+        looks = _looks(made, lines, laid, near)
         made = fitted_pens.with_looks(made, looks, size[1])
     if pens and trace:
         every = _union(lines[name] for line_set in made.line_sets for name in line_set.kinds)
@@ -138,10 +148,18 @@ def fit(draw, size, names, base, judges_of, tolerance=None, beta=1.0, pens=True,
         [_measures(of) for of in of_each],
         [look for look in looks if look],
         [hand for hand in hands if hand],
-        tolerance,
+        near,
         sum(len(ladder.drawn) for ladder in ladders),
         sum(ladder.seconds for ladder in ladders),
     )
+
+
+def _fades(laid):
+    """Whether a drawing is a picture whose strokes are pale where they are weak, as those of pens are."""
+    if laid.gray is None:
+        return False
+    _, looks = laid.stroke_looks()
+    return len(looks) > 0 and np.quantile(looks[:, 2], FADED) < 0.5 * np.median(looks[:, 2])
 
 
 class _Ladder:

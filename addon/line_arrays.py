@@ -49,6 +49,16 @@ def seen(frame, view_to_world):
     }
 
 
+def strong(lines, least):
+    """(px, offsets) of the parts of `seen` lines that have at least that strength; they begin and end at points."""
+    if not least:
+        return lines["px"], lines["offsets"]
+    kept, line = lines["strength"] >= least, np.repeat(np.arange(len(lines["offsets"]) - 1), np.diff(lines["offsets"]))
+    begins = kept.copy()
+    begins[1:] &= (line[1:] != line[:-1]) | ~kept[:-1]
+    return lines["px"][kept], np.append(np.flatnonzero(begins[kept]), kept.sum()).astype(np.int64)
+
+
 def placed(points, matrix):
     """(M, 3) points transformed by one affine (4, 4) matrix, or each by its own of (M, 4, 4)."""
     return (matrix[..., :3, :3] @ points[..., None])[..., 0] + matrix[..., :3, 3]

@@ -29,14 +29,13 @@ def fit(context, size, names, base, judges_of, tolerance=None, beta=1.0, pens=Tr
 
 def drawer(engine, depsgraph, chosen, cancel=None):
     """A function that gives (px, offsets) of the visible lines of a Style with the line sets of `chosen`, which draws
-    no hidden ones. `cancel`: a native Cancel, or None."""
+    no hidden ones, or of those that have at least some strength. `cancel`: a native Cancel, or None."""
     return _drawing(finder(engine, depsgraph, chosen, cancel))
 
 
 def _drawing(find):
-    def draw(wanted):
-        found = find(wanted)
-        return found["px"], found["offsets"]
+    def draw(wanted, least=0.0):
+        return line_arrays.strong(find(wanted), least)
 
     return draw
 

@@ -122,6 +122,7 @@ py::bytes prompt_sheet(const GrayImage& picture, const std::string& title, const
 Bitmap lines_of(const GrayImage& picture) { return study::thinned(study::ink_of(picture)); }
 
 void bind_gray(py::module_& m) {
+    m.attr("LEAST_INK") = study::least_ink / 255.0;
     py::class_<study::StrokeLooks> looks(m, "StrokeLooks",
                                          "How wide and dark strokes are; see native/fovea/study/stroke_look.h.");
     bind_columns(looks, study::StrokeLooks::columns);

@@ -67,6 +67,21 @@ def test_the_thresholds_of_a_drawing_are_found_again(monkey):
     assert (monkey.render.resolution_x, monkey.render.resolution_y) == (1920, 1080)
 
 
+def test_the_thresholds_of_a_rendered_drawing_are_found_though_its_palest_ends_are_no_ink(monkey, tmp_path):
+    monkey.render.resolution_x, monkey.render.resolution_y = SIZE
+    base, wanted = style.load("plain"), {"contour": 1.0, "ridge": 0.5, "valley": 0.3, "suggestive_contour": 0.05}
+    style_data.use(monkey, fitted_style.style_with(base, wanted), "Artist")
+    monkey.render.filepath, monkey.view_settings.view_transform = str(tmp_path / "artist.png"), "Standard"
+    bpy.ops.render.render(write_still=True)
+    style_data.use(monkey, base, "Base")
+    drawings = [comparison.read(tmp_path / "artist.png")]
+    judges_of, names = comparison.judges_of(drawings, SIZE), list(wanted)
+    found = style_fit.fit(bpy.context, SIZE, names, base, judges_of, pens=False)
+    assert found.found["f1"] > 0.97
+    for name in names[1:]:
+        assert found.thresholds[name] == pytest.approx(wanted[name], rel=0.1), name
+
+
 def test_what_the_line_sets_of_a_style_filter_is_filtered_in_the_fit(monkey):
     forms, lines = style.load("plain").line_sets
     sets = (forms.replace(kinds={"ridge": {}}), lines.replace(collection="Box", kinds={"contour": {}}))

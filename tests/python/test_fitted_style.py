@@ -27,7 +27,7 @@ def rows(name):
     return np.stack([np.stack([x, y], 1), np.stack([x + 12, y], 1)], 1).astype(np.float32), strengths
 
 
-def draw(wanted):
+def draw(wanted, least=0.0):  # noqa: ARG001 none of them fades
     """(px, offsets) of what a Style draws of all rows: those as strong as its thresholds."""
     drawn = []
     for line_set in wanted.line_sets:
@@ -270,9 +270,9 @@ def test_hidden_lines_and_line_thinning_are_left_out_of_the_fit_and_stay_in_the_
     sets = tuple(line_set.replace(hidden=(style.Hidden(),)) for line_set in PLAIN.line_sets)
     base, seen = PLAIN.replace(line_sets=sets, elision=style.Elision(enabled=True)), []
 
-    def drawn(wanted):
+    def drawn(wanted, least):
         seen.append(wanted)
-        return draw(wanted)
+        return draw(wanted, least)
 
     found = fitted_style.fit(drawn, SIZE, ("contour", "ridge"), base, lambda _: laid(drawing({"ridge": 0.3})), 2.0)
     assert not any(wanted.elision.enabled or line_set.hidden for wanted in seen for line_set in wanted.line_sets)

@@ -14,7 +14,6 @@ namespace {
 
 constexpr double usual_diagonal = 1280.0;  // 1024 x 768
 constexpr double window = 31.0, least_speck = 6.0;
-constexpr std::int64_t darker = 10;         // of 255, than the mean around
 constexpr double share_of_paper = 1.0 / 3;  // darker than that is ink, however wide
 
 /// Sums over the rectangle from (0, 0) to each corner of a pixel: (width + 1) x (height + 1).
@@ -64,7 +63,7 @@ Bitmap ink_of(const color::GrayImage& given) {
             const std::int64_t count = std::int64_t(right - left) * (high - low);
             const std::size_t i = row * std::size_t(picture.width) + std::size_t(x);
             const std::int64_t value = picture.values[i];
-            ink.set[i] = (value + darker) * count < sum || double(value) < share_of_paper * paper;
+            ink.set[i] = (value + std::int64_t(least_ink)) * count < sum || double(value) < share_of_paper * paper;
         }
     });
     return without_specks(ink, std::size_t(std::lround(least_speck * scale)));
