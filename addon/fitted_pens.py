@@ -27,7 +27,7 @@ def looked(names, drawn, laid, tolerance):
     of the `names` draw; `laid`: a registered_drawing.Laid of each drawing; `tolerance` [px]."""
     far = [bitmap.distances().ravel() for bitmap in drawn]
     of_sets = [[] for _ in names]
-    for pixel, looks in (each.stroke_looks() for each in laid if each.gray):
+    for pixel, looks in (each.stroke_looks for each in laid if each.gray):
         near = np.array([distance[pixel] <= tolerance for distance in far])
         alone = near & (near.sum(axis=0) == 1)  # where strokes of two sets meet, neither can be measured
         for found, of_set in zip(of_sets, alone):

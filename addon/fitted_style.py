@@ -113,9 +113,10 @@ def fit(draw, size, names, base, judges_of, tolerance=None, beta=1.0, pens=True,
         ladder.climb(ladder.coarse())
     strengths = _strengths(ladders, size)
     found = core.Evidence(strengths, judges, near).fitted(_floats(usual), beta)
-    closely = core.Evidence(strengths, judges, near / CLOSER)
-    if tolerance is None and closely.judged(found["thresholds"])["f1"] >= CLOSE:
-        near, found = near / CLOSER, closely.fitted(found["thresholds"], beta)
+    if tolerance is None:
+        closely = core.Evidence(strengths, judges, near / CLOSER)
+        if closely.judged(found["thresholds"])["f1"] >= CLOSE:
+            near, found = near / CLOSER, closely.fitted(found["thresholds"], beta)
     for ladder, threshold in zip(ladders, found["thresholds"]):
         ladder.at(ladder.usual)
         if np.isfinite(threshold):
@@ -158,7 +159,7 @@ def _fades(laid):
     """Whether a drawing is a picture whose strokes are pale where they are weak, as those of pens are."""
     if laid.gray is None:
         return False
-    _, looks = laid.stroke_looks()
+    _, looks = laid.stroke_looks
     return len(looks) > 0 and np.quantile(looks[:, 2], FADED) < 0.5 * np.median(looks[:, 2])
 
 

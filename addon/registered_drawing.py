@@ -3,6 +3,7 @@
 Blender."""
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
@@ -21,6 +22,7 @@ class Laid:
     to_scan: object = None  # (3, 3) from the reference's pixels to those of the drawing, where it was registered
     scan: object = None  # native GrayImage of the drawing as it was scanned, where it was
 
+    @cached_property
     def stroke_looks(self):
         """((N,) numbers of the reference's pixels, (N, 3) widths in these, as they are measured, and darkness) of a
         picture's strokes. Of a scan they are measured there: resampling blurs narrow ones."""

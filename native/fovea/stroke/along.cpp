@@ -14,7 +14,6 @@ namespace {
 constexpr int curve_steps = 64;             // of a transfer function, which is linear between them
 constexpr double step_px = 0.6;             // half the length over which a step of a transfer function is drawn
 constexpr double depth_step_px = 16.0;      // px between knots of distance, which perspective bends
-constexpr double steps_per_wave = 6.0;      // of noise
 constexpr float paint_step = 1.0f / 64.0f;  // largest change of what is painted between two knots
 constexpr double straight = 0.9995;         // cosine of the largest bend that does not change a nib: 2 degrees
 constexpr std::uint64_t stream = 0xa1;      // noise of modifiers is not that of wobble

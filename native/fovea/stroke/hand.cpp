@@ -11,7 +11,6 @@
 namespace fovea::stroke {
 namespace {
 
-constexpr double steps_per_wave = 6.0;
 constexpr int pressure_steps = 16;
 
 dvec2 normal_at(const CenterLine& line, std::size_t i) {

@@ -23,15 +23,20 @@ inline double lattice(std::int64_t i, std::uint64_t seed) {
     return double(mixed(seed ^ mixed(std::uint64_t(i))) >> 11) * 0x1p-52 - 1.0;
 }
 
+/// From 0 to 1 as t does, with two derivatives that are 0 at both ends.
+inline double eased(double t) { return t * t * t * (t * (6.0 * t - 15.0) + 10.0); }
+
 /// Smooth noise in [-1,1]: value noise with a continuous second derivative.
 inline double noise(double x, std::uint64_t seed) {
-    const double below = std::floor(x), t = x - below;
-    const double s = t * t * t * (t * (6.0 * t - 15.0) + 10.0);
-    return glm::mix(lattice(std::int64_t(below), seed), lattice(std::int64_t(below) + 1, seed), s);
+    const double below = std::floor(x);
+    return glm::mix(lattice(std::int64_t(below), seed), lattice(std::int64_t(below) + 1, seed), eased(x - below));
 }
 
 /// Two octaves of smooth noise in [-1,1], the second half as long and half as high.
 inline double two_octaves(double x, std::uint64_t seed) { return (2.0 * noise(x, seed) + noise(2.0 * x, ~seed)) / 3.0; }
+
+/// Points of a line to a wavelength of its noise, where these are a pixel or more from each other.
+inline constexpr double steps_per_wave = 6.0;
 
 /// Mix of two noises in [-1,1] that do not depend on each other, which strays as far as each of them.
 inline double mixed_noises(double a, double b, double share) {

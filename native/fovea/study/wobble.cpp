@@ -8,6 +8,7 @@
 
 #include <fovea/base/check.h>
 #include <fovea/base/parallel.h>
+#include <fovea/stroke/noise.h>
 
 namespace fovea::study {
 namespace {
@@ -20,7 +21,6 @@ constexpr std::size_t least_distances = 4;
 constexpr float jump = 2.5f;                             // [px] between neighbors, which are of two strokes
 constexpr double least_amount = 0.5;                     // [px]
 constexpr double least_rest = 0.01, least_better = 0.5;  // of what turned lines do not explain, and a share of it
-constexpr double steps_per_wave = 6.0;                   // as in stroke/hand.cpp
 constexpr int table_size = 256, quadrature = 400;
 
 /// Mean products of stroke::two_octaves and itself, by their distance in waves; between as many points per wave as
@@ -38,18 +38,16 @@ class Products {
         }
     }
     double at(double waves) const {
-        const double steps = waves * steps_per_wave, below = std::floor(steps);
+        const double steps = waves * stroke::steps_per_wave, below = std::floor(steps);
         double sum = 0.0;
-        for (int k = -1; k <= 2; ++k) sum += between(below + k - steps) * of_both(std::abs(below + k) / steps_per_wave);
+        for (int k = -1; k <= 2; ++k)
+            sum += between(below + k - steps) * of_both(std::abs(below + k) / stroke::steps_per_wave);
         return sum;
     }
 
    private:
     /// Of a number at an integer in the noise at a distance from it.
-    static double share(double distance) {
-        const double t = std::min(std::abs(distance), 1.0);
-        return 1.0 - t * t * t * (t * (6.0 * t - 15.0) + 10.0);
-    }
+    static double share(double distance) { return 1.0 - stroke::eased(std::min(std::abs(distance), 1.0)); }
     /// Product of two linear interpolations: the cubic B-spline.
     static double between(double steps) {
         const double t = std::abs(steps);
