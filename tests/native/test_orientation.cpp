@@ -79,3 +79,25 @@ TEST(Orientation, AShiftedSurfaceIsOnOneSideOfAllThatItTouches) {
             EXPECT_EQ(orientation({a, b, c, a + double(i) * u + double(j) * v}, 8).sign, first);
     EXPECT_EQ(orientation({a, a + u, a + 2.0 * u, dvec3(1, 2, 3)}, 8).sign, 0) << "a triangle without area";
 }
+
+TEST(Orientation, IsThatOfTheSecondSurfaceMovedByFarLessThanAllDistances) {
+    std::mt19937 random(5);
+    std::uniform_int_distribution<int> few(0, 2);
+    // Volumes of such points are below 100 units: of this step's powers, each outweighs all later ones.
+    constexpr double scale = 1 << 27;
+    const dvec3 shift(1 << 18, 1 << 9, 1);
+    int coplanar = 0;
+    for (int k = 0; k < 3000; ++k) {
+        dvec3 p[4];
+        for (dvec3& point : p) point = {few(random), few(random), few(random)};
+        for (unsigned second = 1; second < 15; ++second) {
+            dvec3 moved[4];
+            for (int i = 0; i < 4; ++i) moved[i] = scale * p[i] + (second >> i & 1 ? shift : dvec3(0.0));
+            const double volume = orientation({moved[0], moved[1], moved[2], moved[3]}, second).value;
+            const Orientation found = orientation({p[0], p[1], p[2], p[3]}, second);
+            EXPECT_EQ(found.sign, (volume > 0.0) - (volume < 0.0));
+            coplanar += found.value == 0.0 && found.sign != 0;
+        }
+    }
+    EXPECT_GT(coplanar, 1000);
+}

@@ -32,7 +32,9 @@ class Alongside {
     template <typename IsWanted>
     Next across(Index edge, Index facet, const IsWanted& is_wanted) const {
         Next nearest;
-        look(edge, edge, facet, 2, is_wanted, nearest);
+        const dvec3 from = end(edge, 0), along = end(edge, 1) - from;
+        look({along, from + 0.5 * along, glm::dot(along, along)}, edge, facet, 2, is_wanted, nearest);
+        nearest.width = std::sqrt(nearest.width);
         return nearest;
     }
 
@@ -58,25 +60,33 @@ class Alongside {
 
     dvec3 end(Index edge, int k) const { return dvec3(surface_.positions[surface_.edges[edge][k]]); }
 
-    /// Looks among the edges of a facet that was entered by the edge `from`.
+    /// The edge from which others are looked for.
+    struct Start {
+        dvec3 along, middle;
+        double length2;
+    };
+
+    /// Looks among the edges of a facet that was entered by the edge `from`. Of `nearest` the width is squared.
     template <typename IsWanted>
-    void look(Index edge, Index from, Index facet, int flats, const IsWanted& is_wanted, Next& nearest) const {
-        if (of_facet_[facet].size() > most_edges) return;
-        for (const Index other : of_facet_[facet]) {
+    void look(const Start& start, Index from, Index facet, int flats, const IsWanted& is_wanted, Next& nearest) const {
+        const In<Index> edges = of_facet_[facet];
+        if (edges.size() > most_edges) return;
+        for (const Index other : edges) {
             if (other == from) continue;
             const In<EdgeSide> sides = surface_.sides(other);
             const Index beyond = sides.size() == 2 ? sides[sides[0].facet() == facet ? 1 : 0].facet() : none;
-            if (std::abs(turn_[other]) < flat && flats > 0 && beyond != none)
-                look(edge, other, beyond, flats - 1, is_wanted, nearest);
+            if (flats > 0 && beyond != none && std::abs(turn_[other]) < flat)
+                look(start, other, beyond, flats - 1, is_wanted, nearest);
             if (other < surface_.mesh_edges && is_wanted(other)) {
-                const dvec3 along = end(edge, 1) - end(edge, 0), way = end(other, 1) - end(other, 0);
-                const double length = glm::length(along), size = glm::length(way);
-                if (!(std::abs(glm::dot(along, way)) > alongside * length * size)) continue;
-                const dvec3 between = 0.5 * (end(edge, 0) + end(edge, 1)) - end(other, 0);
-                const double share = glm::dot(between, way) / (size * size);
-                if (share < 0.0 || share > 1.0) continue;  // in a row with it, not alongside
-                const double width = glm::distance(between, share * way);
-                if (width < nearest.width) nearest = {other, width, beyond};
+                const dvec3 origin = end(other, 0), way = end(other, 1) - origin;
+                const double length2 = glm::dot(way, way), cosine = glm::dot(start.along, way);
+                if (!(cosine * cosine > alongside * alongside * start.length2 * length2)) continue;
+                const dvec3 between = start.middle - origin;
+                const double share = glm::dot(between, way);
+                if (share < 0.0 || share > length2) continue;  // in a row with it, not alongside
+                const dvec3 shortest = between - share / length2 * way;
+                const double width2 = glm::dot(shortest, shortest);
+                if (width2 < nearest.width) nearest = {other, width2, beyond};
             }
         }
     }

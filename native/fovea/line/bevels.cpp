@@ -16,6 +16,7 @@ constexpr double least_together = glm::radians(75.0);  // by less, it may be a c
 constexpr double most_together = glm::radians(120.0);  // by more, it is a bead or the rim of a board
 constexpr double beside = 2.0;                         // widths of the bevel on either side of it that are looked at
 constexpr double most_beside = 0.25;                   // turn there, as a share of that of the bevel
+constexpr double most_turn = (1.0 + most_beside) * most_together;  // of a bevel and what is beside it
 constexpr double most_like = 0.5;                      // turn of edges next to it, as a share of the mean of its own
 constexpr double least_length = 5.0;                   // of a bevel, in widths
 constexpr int most_steps = 15;                         // to one side
@@ -43,7 +44,7 @@ class Bevels {
                    surface_.sides(Index(e)).size() == 2;
         });
         if (std::ranges::find(asked, 1) == asked.end()) return Array<std::uint8_t>(asked.size(), 0);
-        steps_ = parallel_map<Step>(2 * asked.size(), [&](std::size_t i) { return step(Index(i / 2), i % 2, none); });
+        steps_ = parallel_map<Step>(2 * asked.size(), [&](std::size_t i) { return step(Index(i), none); });
         const auto width =
             parallel_map<float>(asked.size(), [&](std::size_t e) { return asked[e] ? width_at(Index(e)) : 0.0f; });
         // Rows of middle edges, by the name of their vertices: length, and width weighted by length.
@@ -66,21 +67,24 @@ class Bevels {
         return glm::distance(dvec3(surface_.positions[e.x]), dvec3(surface_.positions[e.y]));
     }
 
-    /// A step from an edge to the next one alongside it.
+    /// A step from an edge, across the face on a side of it, to the next edge alongside it. The sides of edge e have the
+    /// numbers 2e and 2e + 1.
     struct Step {
-        Index edge;    // none: there is none, or no face beyond it
-        bool side;     // of that edge, on which the way goes on
-        double width;  // to that edge, or as far as the face goes
+        Index to;      // the side of the next edge on which the way goes on; none: there is none, or no face beyond it
+        float turn;    // of the next edge
+        double width;  // to it, or as far as the face goes
     };
 
-    /// The step from an edge across the face on a side of it, to another edge than `start`.
-    Step step(Index edge, bool side, Index start) const {
+    /// The step from a side of an edge to another edge than `start`.
+    Step step(Index from, Index start) const {
+        const Index edge = from / 2;
         const In<EdgeSide> sides = surface_.sides(edge);
-        if (sides.size() <= std::size_t(side)) return {none, false, 0.0};
-        const Index facet = sides[side].facet();
+        if (sides.size() <= from % 2) return {none, 0.0f, 0.0};
+        const Index facet = sides[from % 2].facet();
         const auto next = edges_.across(edge, facet, [&](Index e) { return e != start; });
-        if (next.edge == none || next.beyond == none) return {none, false, edges_.extent(edge, facet)};
-        return {next.edge, surface_.sides(next.edge)[0].facet() != next.beyond, next.width};
+        if (next.edge == none || next.beyond == none) return {none, 0.0f, edges_.extent(edge, facet)};
+        const bool side = surface_.sides(next.edge)[0].facet() != next.beyond;
+        return {2 * next.edge + side, static_cast<float>(edges_.turn(next.edge)), next.width};
     }
 
     /// Width of the bevel whose middle edge it is; 0: of none.
@@ -108,23 +112,23 @@ class Bevels {
         return static_cast<float>(row.steps[last].at - row.steps[first].at);
     }
 
-    /// Walks from an edge to both sides.
+    /// Walks from an edge to both sides, to where no bevel that the edge is in has anything beside it any more: from
+    /// there on it would turn by too much.
     void look_across(Index edge, Row& row) const {
         const double sign = edges_.turn(edge) < 0.0 ? -1.0 : 1.0;
         row.room[most_steps] = {0.0, sign * edges_.turn(edge), edge};
         int first = most_steps, last = most_steps;
         for (const int way : {-1, 1}) {
-            double at = 0.0;
-            Index from = edge;
-            bool side = way > 0;
-            for (int k = 0; k < most_steps; ++k) {
-                Step next = steps_[2 * std::size_t(from) + side];
-                if (next.edge == edge) next = step(from, side, edge);
+            double at = 0.0, turn = 0.0;
+            Index from = 2 * edge + (way > 0);
+            for (int k = 0; k < most_steps && turn <= most_turn; ++k) {
+                Step next = steps_[from];
+                if (next.to / 2 == edge) next = step(from, edge);
                 at += next.width;
-                if (next.edge == none) break;
-                row.room[way > 0 ? ++last : --first] = {way * at, sign * edges_.turn(next.edge), next.edge};
-                from = next.edge;
-                side = next.side;
+                if (next.to == none) break;
+                row.room[way > 0 ? ++last : --first] = {way * at, sign * next.turn, next.to / 2};
+                turn += std::abs(next.turn);
+                from = next.to;
             }
             (way > 0 ? row.known_to : row.known_from) = way * at;
         }
@@ -189,7 +193,7 @@ class Bevels {
     const Surface& surface_;
     field::Alongside edges_;
     double least_together_;
-    Array<Step> steps_;  // two per mesh edge, one across each side
+    Array<Step> steps_;  // from each side of each mesh edge
 };
 
 }  // namespace

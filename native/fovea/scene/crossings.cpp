@@ -95,42 +95,35 @@ bool meet_side(const Corners& s, int k, const Orientation (&heights)[3], const C
     return true;
 }
 
-/// A triangle in the object space of the first surface, not rounded to the grid.
-struct Plain {
-    dvec3 p[3];
-};
-
-/// Six times the signed volumes of the tetrahedra over a triangle, one per corner of another triangle.
+/// Six times the signed volumes of the tetrahedra over a triangle, one per corner of another triangle, and which of the
+/// volumes have a sign for sure.
 struct Heights {
     dvec3 normal;  ///< of the triangle; length is twice its area
-    double size;   ///< upper bound: square of at least half the distance between any two of the points
+    double of[3] = {}, error[3] = {};
     double lowest = infinity, highest = -infinity;
+    bool sure = true;
 
-    /// Heights of the corners of `c`, except those whose bits are set in `shared`, over the triangle `over`.
-    Heights(const Plain& c, const Plain& over, unsigned shared) {
-        const dvec3 first = over.p[1] - over.p[0], second = over.p[2] - over.p[0];
-        normal = glm::cross(first, second);
-        size = std::max(squared(first), squared(second));
+    /// Heights of the corners of `c`, except that which is `shared`, over the triangle `over`.
+    Heights(const Corners& c, const Corners& over, int shared) {
+        const dvec3 a = over.p[1] - over.p[0], b = over.p[2] - over.p[0];  // exact, as differences of grid points are
+        const dvec3 first(a.y * b.z, a.z * b.x, a.x * b.y), second(a.z * b.y, a.x * b.z, a.y * b.x);
+        normal = first - second;
+        const dvec3 size = glm::abs(first) + glm::abs(second);
         for (int i = 0; i < 3; ++i) {
-            if (shared >> i & 1u) continue;
+            if (i == shared) continue;
             const dvec3 along = c.p[i] - over.p[0];
-            const double height = glm::dot(normal, along);
-            lowest = std::min(lowest, height);
-            highest = std::max(highest, height);
-            size = std::max(size, squared(along));
+            of[i] = glm::dot(normal, along);
+            error[i] = orientation_error * glm::dot(size, glm::abs(along));
+            lowest = std::min(lowest, of[i]);
+            highest = std::max(highest, of[i]);
+            sure = sure && std::abs(of[i]) > error[i];
         }
     }
+    bool on_one_side() const { return sure && (lowest > 0.0 || highest < 0.0); }
     /// Whether no corner is farther than `distance` from the plane.
     bool within(double distance) const {
         const double farthest = std::max(-lowest, highest);
         return farthest * farthest <= distance * distance * squared(normal);
-    }
-    /// Whether all corners stay on one side even after all points are rounded to a grid with this step. Moving one
-    /// point changes the volume by at most its displacement times the area of the other three, which is at most twice
-    /// `size`, for each of four points; the bound is wide enough to cover rounding errors of the volumes, too.
-    bool on_one_side(double step) const {
-        const double room = 16.0 * size * step;
-        return lowest > room || highest < -room;
     }
 
     static double squared(const dvec3& v) { return glm::dot(v, v); }
@@ -143,19 +136,17 @@ class Finder {
         : mapped_{first, second}, grid_(grid), within_(within) {}
 
     void meet(Index first, Index second, Array<Piece>& out) const {
-        const Plain plain_a = plain(0, first), plain_b = plain(1, second);
-        // bits 0 to 2: corners of the second triangle that the first has, too; bits 3 to 5: of the first
-        unsigned shared = 0;
-        const auto mark = [&](int i, int j) { shared |= 8u << i | 1u << j; };
-        if (within_ && count_shared(plain_a.p, plain_b.p, mark) > 1) return;
-        if (apart(plain_a, plain_b, shared)) return;
-        const Corners a = on_grid(plain_a, 0), b = on_grid(plain_b, 1);
+        const Corners a = on_grid(0, first), b = on_grid(1, second);
         if (a.collapsed() || b.collapsed()) return;
         int shared_a = -1, shared_b = -1;
         const auto take = [&](int i, int j) { std::tie(shared_a, shared_b) = std::pair(i, j); };
-        if (within_ && count_shared(a.p, b.p, take) > 1) return;
+        if (within_ && count_shared(a, b, take) > 1) return;
+        const Heights over_a(b, a, shared_b);
+        if (over_a.on_one_side()) return;
+        const Heights over_b(a, b, shared_a);
+        if (over_b.on_one_side() || coplanar(over_a, over_b)) return;
         Orientation of_a[3], of_b[3];  // orientation of each corner relative to the other triangle
-        if (!heights(b, shared_b, a, of_b) || !heights(a, shared_a, b, of_a)) return;
+        if (!orient(over_a, b, shared_b, a, of_b) || !orient(over_b, a, shared_a, b, of_a)) return;
         End ends[6];
         int count = 0;
         for (int k = 0; k < 3; ++k) {
@@ -168,50 +159,49 @@ class Finder {
 
    private:
     /// The map is applied to the second surface only.
-    Plain plain(int of, Index triangle) const {
-        if (of == 1 && !within_)
-            return {{mapped_[1].corner(triangle, 0), mapped_[1].corner(triangle, 1), mapped_[1].corner(triangle, 2)}};
+    Corners on_grid(unsigned of, Index triangle) const {
+        Corners corners;
+        corners.second = of;
         const Surface& surface = mapped_[0].surface;
-        const Triangle& t = surface.triangles[triangle];
-        return {{dvec3(surface.positions[t.x]), dvec3(surface.positions[t.y]), dvec3(surface.positions[t.z])}};
-    }
-
-    Corners on_grid(const Plain& plain, unsigned second) const {
-        return {{grid_.point(plain.p[0]), grid_.point(plain.p[1]), grid_.point(plain.p[2])}, second};
+        for (int k = 0; k < 3; ++k)
+            corners.p[k] = grid_.point(of == 1 && !within_ ? mapped_[1].corner(triangle, k)
+                                                           : dvec3(surface.positions[surface.triangles[triangle][k]]));
+        return corners;
     }
 
     /// Counts the corners of `a` that are corners of `b`, and calls found(i, j) for each.
-    template <typename Triple, typename Found>
-    static int count_shared(const Triple& a, const Triple& b, const Found& found) {
+    template <typename Found>
+    static int count_shared(const Corners& a, const Corners& b, const Found& found) {
         int shared = 0;
         for (int i = 0; i < 3; ++i)
             for (int j = 0; j < 3; ++j) {
-                if (a[i] != b[j]) continue;
+                if (a.p[i] != b.p[j]) continue;
                 ++shared;
                 found(i, j);
             }
         return shared;
     }
 
-    /// Conservative rejection: true if the unshared corners of one triangle are on one side of the other even after
-    /// rounding to the grid, or if both triangles are coplanar.
-    bool apart(const Plain& a, const Plain& b, unsigned shared) const {
-        const Heights of_b(b, a, shared & 7u);
-        if (of_b.on_one_side(grid_.step())) return true;
-        const Heights of_a(a, b, shared >> 3);
-        if (of_a.on_one_side(grid_.step())) return true;
-        // Coplanar; lengths by their squares.
-        const double of_normals = Heights::squared(of_b.normal) * Heights::squared(of_a.normal);
-        return (of_b.within(grid_.tolerance()) || of_a.within(grid_.tolerance())) &&
-               Heights::squared(glm::cross(of_b.normal, of_a.normal)) <= flat_sine * flat_sine * of_normals;
+    /// Whether two triangles count as coplanar.
+    bool coplanar(const Heights& over_a, const Heights& over_b) const {
+        const double tolerance = grid_.tolerance() / grid_.step();
+        const double of_normals = Heights::squared(over_a.normal) * Heights::squared(over_b.normal);  // lengths squared
+        return (over_a.within(tolerance) || over_b.within(tolerance)) &&
+               Heights::squared(glm::cross(over_a.normal, over_b.normal)) <= flat_sine * flat_sine * of_normals;
     }
 
     /// Orientation of the corners of `c` relative to `over`; false if all but the shared one are on one side.
-    bool heights(const Corners& c, int shared, const Corners& over, Orientation (&of)[3]) const {
+    bool orient(const Heights& heights, const Corners& c, int shared, const Corners& over,
+                Orientation (&of)[3]) const {
         const unsigned second = within_ ? 0u : (c.second ? 8u : 7u);
         bool above = false, below = false;
         for (int i = 0; i < 3; ++i) {
-            of[i] = i == shared ? Orientation{0.0, 0} : orientation({over.p[0], over.p[1], over.p[2], c.p[i]}, second);
+            if (i == shared)
+                of[i] = {0.0, 0};
+            else if (std::abs(heights.of[i]) > heights.error[i])
+                of[i] = {-heights.of[i], heights.of[i] > 0.0 ? -1 : 1};
+            else
+                of[i] = orientation({over.p[0], over.p[1], over.p[2], c.p[i]}, second);
             above = above || of[i].sign > 0;
             below = below || of[i].sign < 0;
         }

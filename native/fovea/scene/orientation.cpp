@@ -34,26 +34,28 @@ Wide determinant(const Row (&r)[4]) {
            r[3].w * minor(r[0], r[1], r[2]);
 }
 
-/// The same for four points, from the differences between three of them and the last.
-Wide volume(const dvec3& a, const dvec3& b, const dvec3& c) {
-    const auto row = [](const dvec3& p) {
-        return Row{static_cast<std::int64_t>(p.x), static_cast<std::int64_t>(p.y), static_cast<std::int64_t>(p.z), 0};
-    };
-    return minor(row(a), row(b), row(c));
-}
+/// Of four points, their differences from the last one.
+struct Offsets {
+    Row a, b, c;
+
+    explicit Offsets(const dvec3 (&p)[4]) : a(row_of(p[0] - p[3])), b(row_of(p[1] - p[3])), c(row_of(p[2] - p[3])) {}
+
+    /// determinant() of the points.
+    Wide volume() const { return minor(a, b, c); }
+};
 
 int sign_of(Wide value) { return value > 0 ? 1 : value < 0 ? -1 : 0; }
 
-/// Sign after translating the second surface: the derivative of the volume along each axis, summed over its points.
-int shifted_sign(const Row (&rows)[4], unsigned second) {
+/// Sign of the volume after translating the second surface: that of its derivative along the first axis along which it
+/// changes, (s_a b x c + s_b c x a + s_c a x b) where s is how the offset moves.
+int shifted_sign(const Offsets& of, unsigned second) {
+    const auto moves = [&](int i) { return int(second >> i & 1) - int(second >> 3 & 1); };
+    using Axis = std::int64_t Row::*;
+    constexpr Axis axes[] = {&Row::x, &Row::y, &Row::z};
     for (int axis = 0; axis < 3; ++axis) {
-        Wide change = 0;
-        for (int i = 0; i < 4; ++i) {
-            if (!(second >> i & 1)) continue;
-            Row moved[4] = {rows[0], rows[1], rows[2], rows[3]};
-            moved[i] = along(axis);
-            change += determinant(moved);
-        }
+        const Axis y = axes[(axis + 1) % 3], z = axes[(axis + 2) % 3];
+        const auto cross = [&](const Row& p, const Row& q) { return Wide(p.*y) * (q.*z) - Wide(p.*z) * (q.*y); };
+        const Wide change = moves(0) * cross(of.b, of.c) + moves(1) * cross(of.c, of.a) + moves(2) * cross(of.a, of.b);
         if (const int sign = sign_of(change)) return sign;
     }
     return 0;
@@ -62,7 +64,8 @@ int shifted_sign(const Row (&rows)[4], unsigned second) {
 /// Coordinate j of the point of rank i is perturbed by e^(2^(3 i + j)). The determinant is then a polynomial in e,
 /// whose terms are sets of (point, coordinate), ascending in the number that their bits form; the first nonzero term
 /// decides.
-int simulated_sign(const dvec3 (&p)[4], const Row (&rows)[4]) {
+int simulated_sign(const dvec3 (&p)[4]) {
+    const Row rows[4] = {row_of(p[0]), row_of(p[1]), row_of(p[2]), row_of(p[3])};
     int rank[4] = {0, 1, 2, 3};
     std::sort(rank, rank + 4, [&](int a, int b) { return before(p[a], p[b]); });
     for (int i = 0; i < 3; ++i)
@@ -92,13 +95,12 @@ Orientation orientation(const dvec3 (&p)[4], unsigned second) {
     const double value = a.x * (yz - zy) + a.y * (zx - xz) + a.z * (xy - yx);
     const double size = std::abs(a.x) * (std::abs(yz) + std::abs(zy)) + std::abs(a.y) * (std::abs(zx) + std::abs(xz)) +
                         std::abs(a.z) * (std::abs(xy) + std::abs(yx));
-    // Shewchuk's bound: (7 + 56 u) u with u = 2^-53.
-    if (std::abs(value) > 7.8e-16 * size) return {value, value > 0.0 ? 1 : -1};
-    const Wide exact = volume(a, b, c);
+    if (std::abs(value) > orientation_error * size) return {value, value > 0.0 ? 1 : -1};
+    const Offsets offsets(p);
+    const Wide exact = offsets.volume();
     if (const int sign = sign_of(exact)) return {static_cast<double>(exact), sign};
-    const Row rows[4] = {row_of(p[0]), row_of(p[1]), row_of(p[2]), row_of(p[3])};
     const bool both = second != 0 && second != 15;
-    return {0.0, both ? shifted_sign(rows, second) : simulated_sign(p, rows)};
+    return {0.0, both ? shifted_sign(offsets, second) : simulated_sign(p)};
 }
 
 }  // namespace fovea::scene

@@ -9,6 +9,11 @@ namespace fovea::scene {
 /// Bound of the coordinates, which must be integers, of the points of orientation().
 inline constexpr double grid_limit = 549755813888.0;  // 2^39: a determinant then fits 128 bits
 
+/// Relative error of such a determinant in doubles, from exact differences of points: of the sum of the magnitudes of
+/// its products. Shewchuk, "Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric Predicates", 1997:
+/// (7 + 56 u) u with u = 2^-53.
+inline constexpr double orientation_error = 7.8e-16;
+
 struct Orientation {
     /// Six times the signed volume of the tetrahedron, rounded to double; exactly 0 if the points are coplanar.
     double value;
