@@ -1821,11 +1821,18 @@ class Bitmap:
         """(H, W) float32 distances [px] to the nearest pixel that is drawn."""
     def measures(self, judge: Bitmap, tolerance: float) -> dict:
         """{measure: number} of this drawing judged by another Bitmap; see native/fovea/study/measures.h."""
-    def shares_within(self, other: Bitmap, distances: Sequence[float]) -> NDArray[numpy.float64]:
-        """For each of the distances [px] the share of pixels that are that near to another Bitmap."""
     def registration(self, reference: Bitmap, tolerance: float) -> object:
         """{to_scan: (3, 3) from pixels of a reference Bitmap to those of this one, outer_share: share of its outer
         boundary that is within the tolerance [px]}, by their lines; None if one is empty."""
+
+class Nearness:
+    """How far the pixels of two drawings are from each other."""
+    def __init__(self, a: Bitmap, b: Bitmap) -> None: ...
+    def measures(self, tolerance: float) -> dict:
+        """As Bitmap.measures."""
+    def shares_within(self, distances: Sequence[float]) -> dict:
+        """{of_a, of_b}: for each of the distances [px] the shares of A's pixels that are that near to B, and of B's to
+        A."""
 
 LEAST_INK: float
 

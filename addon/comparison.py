@@ -5,6 +5,7 @@ A drawing is a PNG (a scan, or a picture by any program), an SVG, or an NPZ of `
 
 import hashlib
 from dataclasses import dataclass
+from itertools import combinations
 from pathlib import Path
 
 import numpy as np
@@ -196,23 +197,28 @@ def compare(a, judges, tolerance=None):
     tolerance_px (usual where None is given); judged_by: all measures for each; at_tolerances: those of HEADLINE at
     OTHER_TOLERANCES; agreement: shares of pixels within distances, between all judges, or of a and one."""
     tolerance = a.usual_tolerance if tolerance is None else tolerance
-    found = [a.measures(judge, tolerance) for judge in judges]
-    others = {factor: [a.measures(judge, factor * tolerance) for judge in judges] for factor in OTHER_TOLERANCES}
+    nearness = [native.load().Nearness(a, judge) for judge in judges]
+    found = [each.measures(tolerance) for each in nearness]
+    others = {factor: [each.measures(factor * tolerance) for each in nearness] for factor in OTHER_TOLERANCES}
     at_tolerances = [{"tolerance_px": factor * tolerance, **_mean(each)} for factor, each in others.items()]
     beside = {"tolerance_px": tolerance, "judged_by": found, "at_tolerances": at_tolerances}
-    of, drawings = ("All pairs of judges", judges) if len(judges) > 1 else ("Both drawings", [a, *judges])
-    return _mean(found) | beside | {"agreement": {"of": of, **_agreement(drawings, tolerance)}}
+    if len(judges) > 1:
+        of, nearness = "All pairs of judges", [native.load().Nearness(*pair) for pair in combinations(judges, 2)]
+    else:
+        of = "Both drawings"
+    return _mean(found) | beside | {"agreement": {"of": of, **_agreement(nearness, tolerance)}}
 
 
 def _mean(found):
     return {name: float(np.mean([measures[name] for measures in found])) for name in HEADLINE}
 
 
-def _agreement(drawings, tolerance):
-    """Distances [px] of the pixels of each drawing from each other, as shares of all pixels within them."""
+def _agreement(nearness, tolerance):
+    """Distances [px] of the pixels of drawings from each other, of pairs of them by their native Nearness, as shares of
+    all pixels within them."""
     distances = np.linspace(0, FARTHEST * max(tolerance, 1.0), DISTANCES).tolist()
-    pairs = [(a, b) for a in drawings for b in drawings if a is not b]
-    pixels = [int(a.pixels.sum()) for a, _ in pairs]
-    shares = [a.shares_within(b, distances) for a, b in pairs]
+    shares = [of_one for pair in nearness for of_one in pair.shares_within(distances).values()]
+    measures = [pair.measures(tolerance) for pair in nearness]
+    pixels = [of_pair[name] for of_pair in measures for name in ("pixels_a", "pixels_b")]
     shares = np.average(shares, axis=0, weights=pixels) if any(pixels) else np.ones(DISTANCES)
     return {"distances_px": distances, "shares": shares.tolist()}

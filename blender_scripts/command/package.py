@@ -1,35 +1,54 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The extension zip: staged, built and validated with Blender's extension command, and installed as by a user."""
 
+import filecmp
 import hashlib
 import os
 import shutil
 import tomllib
+from pathlib import Path
 
 from . import build
 from .target import PROJECT, StepFailed, tail
 
 ID = "fovea"
+_unwanted = shutil.ignore_patterns("__pycache__", "*.pyc", "*.pyi", ".*")
 
 
 def stage(target):
     """Stages the package in WORK/package/fovea: the add-on, with shaders, native module and license beside __init__.py;
     type stubs are left out. An identical staged package is not touched, as running tests may read it. Returns the
     folder."""
-    module = build.module(target)
+    sources = _sources(build.module(target))
     folder = target.work / "package" / ID
     fresh = folder.with_name("fresh")
-    unwanted = shutil.ignore_patterns("__pycache__", "*.pyc", "*.pyi", ".*")
     with target.lock():
-        shutil.rmtree(fresh, ignore_errors=True)
-        shutil.copytree(PROJECT / "addon", fresh, ignore=unwanted)
-        shutil.copytree(PROJECT / "shaders", fresh / "shaders", ignore=unwanted)
-        shutil.copy2(module, fresh)
-        shutil.copy2(PROJECT / "LICENSE", fresh)
-        if not folder.exists() or _content(fresh) != _content(folder):
+        if not _is_staged(folder, sources):
+            shutil.rmtree(fresh, ignore_errors=True)
+            for name, source in sources.items():
+                (fresh / name).parent.mkdir(parents=True, exist_ok=True)
+                shutil.copy2(source, fresh / name)
             shutil.rmtree(folder, ignore_errors=True)
             fresh.rename(folder)
     return folder
+
+
+def _sources(module):
+    """{name in the package: file}."""
+    found = {file.name: file for file in (module, PROJECT / "LICENSE")}
+    for folder, above in ((PROJECT / "addon", "."), (PROJECT / "shaders", "shaders")):
+        for place, folders, names in os.walk(folder):
+            unwanted = _unwanted(place, [*folders, *names])
+            folders[:] = set(folders) - unwanted
+            files = (Path(place, name) for name in set(names) - unwanted)
+            found |= {os.path.normpath(Path(above, file.relative_to(folder))): file for file in files}
+    return found
+
+
+def _is_staged(folder, sources):
+    """Whether a folder has these files and no others; files of one size and time are taken to be one."""
+    names = {str(file.relative_to(folder)) for file in _files(folder)}
+    return names == set(sources) and all(filecmp.cmp(file, folder / name) for name, file in sources.items())
 
 
 def importable(target):
@@ -122,10 +141,14 @@ def _installation(target, content):
 def _content(folder):
     """Digest of names and bytes of all files in a folder, except Python's compiled files."""
     digest = hashlib.sha256()
-    for file in sorted(path for path in folder.rglob("*") if path.is_file() and path.suffix != ".pyc"):
+    for file in sorted(_files(folder)):
         digest.update(f"{file.relative_to(folder)}\0".encode())
         digest.update(f"{_digest(file)}\n".encode())
     return digest.hexdigest()
+
+
+def _files(folder):
+    return [path for path in folder.rglob("*") if path.is_file() and path.suffix != ".pyc"]
 
 
 def _digest(file):

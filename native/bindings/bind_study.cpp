@@ -91,11 +91,35 @@ py::object registration_of(const Bitmap& scan, const Bitmap& reference, double t
     return py::dict(py::arg("to_scan") = matrix_of(found->to_scan), py::arg("outer_share") = found->outer_share);
 }
 
-py::dict measures_of(const Bitmap& a, const Bitmap& b, double tolerance) {
-    const study::Measures found = without_gil([&] { return study::compare(a, b, tolerance); });
+py::dict dict_of(const study::Measures& found) {
     py::dict measures;
     style::for_each_field<study::Measures>([&](const auto& field) { measures[field.name] = found.*field.member; });
     return measures;
+}
+
+py::dict measures_of(const Bitmap& a, const Bitmap& b, double tolerance) {
+    return dict_of(without_gil([&] { return study::compare(a, b, tolerance); }));
+}
+
+void bind_nearness(py::module_& m) {
+    py::class_<study::Nearness>(m, "Nearness", "How far the pixels of two drawings are from each other.")
+        .def(py::init<const Bitmap&, const Bitmap&>(), NoGil(), py::arg("a"), py::arg("b"))
+        .def(
+            "measures",
+            [](const study::Nearness& nearness, double tolerance) {
+                return dict_of(without_gil([&] { return nearness.at(tolerance); }));
+            },
+            py::arg("tolerance"), "As Bitmap.measures.")
+        .def(
+            "shares_within",
+            [](const study::Nearness& nearness, const std::vector<double>& distances) {
+                auto [of_a, of_b] = nearness.shares_within(distances);
+                return py::dict(py::arg("of_a") = to_numpy(std::move(of_a)),
+                                py::arg("of_b") = to_numpy(std::move(of_b)));
+            },
+            py::arg("distances"),
+            "{of_a, of_b}: for each of the distances [px] the shares of A's pixels that are that near to B, and of B's "
+            "to A.");
 }
 
 GrayImage make_gray(const Bytes& values) {
@@ -250,11 +274,10 @@ void bind_study(py::module_& m) {
             "(H, W) float32 distances [px] to the nearest pixel that is drawn.")
         .def("measures", &measures_of, py::arg("judge"), py::arg("tolerance"),
              "{measure: number} of this drawing judged by another Bitmap; see native/fovea/study/measures.h.")
-        .def("shares_within", &study::shares_within, NoGil(), py::arg("other"), py::arg("distances"),
-             "For each of the distances [px] the share of pixels that are that near to another Bitmap.")
         .def("registration", &registration_of, py::arg("reference"), py::arg("tolerance"),
              "{to_scan: (3, 3) from pixels of a reference Bitmap to those of this one, outer_share: share of its outer "
              "boundary that is within the tolerance [px]}, by their lines; None if one is empty.");
+    bind_nearness(m);
     bind_gray(m);
     bind_strengths(m);
     bind_fit(m);

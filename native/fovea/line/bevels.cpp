@@ -17,9 +17,9 @@ constexpr double most_together = glm::radians(120.0);  // by more, it is a bead 
 constexpr double beside = 2.0;                         // widths of the bevel on either side of it that are looked at
 constexpr double most_beside = 0.25;                   // turn there, as a share of that of the bevel
 constexpr double most_turn = (1.0 + most_beside) * most_together;  // of a bevel and what is beside it
-constexpr double most_like = 0.5;                      // turn of edges next to it, as a share of the mean of its own
-constexpr double least_length = 5.0;                   // of a bevel, in widths
-constexpr int most_steps = 15;                         // to one side
+constexpr double most_like = 0.5;     // turn of edges next to it, as a share of the mean of its own
+constexpr double least_length = 5.0;  // of a bevel, in widths
+constexpr int most_steps = 15;        // to one side
 
 /// Edges alongside each other, across the faces between them, from one end to the other.
 struct Row {
@@ -67,8 +67,8 @@ class Bevels {
         return glm::distance(dvec3(surface_.positions[e.x]), dvec3(surface_.positions[e.y]));
     }
 
-    /// A step from an edge, across the face on a side of it, to the next edge alongside it. The sides of edge e have the
-    /// numbers 2e and 2e + 1.
+    /// A step from an edge, across the face on a side of it, to the next edge alongside it. The sides of edge e have
+    /// the numbers 2e and 2e + 1.
     struct Step {
         Index to;      // the side of the next edge on which the way goes on; none: there is none, or no face beyond it
         float turn;    // of the next edge

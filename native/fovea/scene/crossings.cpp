@@ -191,8 +191,7 @@ class Finder {
     }
 
     /// Orientation of the corners of `c` relative to `over`; false if all but the shared one are on one side.
-    bool orient(const Heights& heights, const Corners& c, int shared, const Corners& over,
-                Orientation (&of)[3]) const {
+    bool orient(const Heights& heights, const Corners& c, int shared, const Corners& over, Orientation (&of)[3]) const {
         const unsigned second = within_ ? 0u : (c.second ? 8u : 7u);
         bool above = false, below = false;
         for (int i = 0; i < 3; ++i) {

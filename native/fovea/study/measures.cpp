@@ -41,31 +41,34 @@ double iou(const Array<float>& to_a, const Array<float>& to_b, double tolerance)
 
 }  // namespace
 
-Measures compare(const Bitmap& a, const Bitmap& b, double tolerance) {
+Nearness::Nearness(const Bitmap& a, const Bitmap& b) {
     a.check_size_of(b);
+    parallel_invoke([&] { to_a_ = distances_to(a); }, [&] { to_b_ = distances_to(b); });
+    parallel_invoke([&] { of_a_ = sorted_distances(a, to_b_); }, [&] { of_b_ = sorted_distances(b, to_a_); });
+}
+
+Measures Nearness::at(double tolerance) const {
     check(tolerance >= 0.0, "tolerance: it is below 0");
-    Array<float> to_a, to_b;
-    parallel_invoke([&] { to_a = distances_to(a); }, [&] { to_b = distances_to(b); });
-    const Array<float> of_a = sorted_distances(a, to_b), of_b = sorted_distances(b, to_a);
-    const Distances from_a = distances_of(of_a), from_b = distances_of(of_b);
+    const Distances from_a = distances_of(of_a_), from_b = distances_of(of_b_);
     Measures found;
-    found.precision = share_within(of_a, tolerance, 1.0);
-    found.recall = share_within(of_b, tolerance, 1.0);
+    found.precision = share_within(of_a_, tolerance, 1.0);
+    found.recall = share_within(of_b_, tolerance, 1.0);
     const double sum = found.precision + found.recall;
     found.f1 = sum > 0.0 ? 2.0 * found.precision * found.recall / sum : 0.0;
     found.chamfer_px = 0.5 * (from_a.mean + from_b.mean);
-    found.iou = iou(to_a, to_b, tolerance);
+    found.iou = iou(to_a_, to_b_, tolerance);
     found.mean_to_b_px = from_a.mean, found.median_to_b_px = from_a.median, found.most_to_b_px = from_a.most;
     found.mean_to_a_px = from_b.mean, found.median_to_a_px = from_b.median, found.most_to_a_px = from_b.most;
-    found.pixels_a = of_a.size(), found.pixels_b = of_b.size();
+    found.pixels_a = of_a_.size(), found.pixels_b = of_b_.size();
     return found;
 }
 
-Array<double> shares_within(const Bitmap& of, const Bitmap& to, const std::vector<double>& distances) {
-    of.check_size_of(to);
-    const Array<float> sorted = sorted_distances(of, distances_to(to));
-    Array<double> shares;
-    for (const double distance : distances) shares.push_back(share_within(sorted, distance, 1.0));
+std::pair<Array<double>, Array<double>> Nearness::shares_within(const std::vector<double>& distances) const {
+    std::pair<Array<double>, Array<double>> shares;
+    for (const double distance : distances) {
+        shares.first.push_back(share_within(of_a_, distance, 1.0));
+        shares.second.push_back(share_within(of_b_, distance, 1.0));
+    }
     return shares;
 }
 

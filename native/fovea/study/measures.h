@@ -4,6 +4,8 @@
 
 #include <limits>
 #include <tuple>
+#include <utility>
+#include <vector>
 
 #include <fovea/study/bitmap.h>
 #include <fovea/style/field.h>
@@ -47,10 +49,21 @@ struct Measures {
 /// Distance that counts as near in drawings of this diagonal where none is given: 1 mm on the paper of the thesis.
 constexpr double usual_tolerance(double diagonal) { return 0.0042 * diagonal; }
 
-/// `tolerance` [px]. An empty drawing has precision 1; recall of an empty drawing is 1.
-Measures compare(const Bitmap& a, const Bitmap& b, double tolerance);
+/// How far the pixels of drawings A and B, of one size, are from each other.
+class Nearness {
+   public:
+    Nearness(const Bitmap& a, const Bitmap& b);
 
-/// For each distance [px] the share of `of`'s pixels that are that near to `to`.
-Array<double> shares_within(const Bitmap& of, const Bitmap& to, const std::vector<double>& distances);
+    /// `tolerance` [px]. An empty drawing has precision 1; recall of an empty drawing is 1.
+    Measures at(double tolerance) const;
+    /// For each distance [px] the shares of A's pixels that are that near to B (first), and of B's to A.
+    std::pair<Array<double>, Array<double>> shares_within(const std::vector<double>& distances) const;
+
+   private:
+    Array<float> to_a_, to_b_;  // of all pixels
+    Array<float> of_a_, of_b_;  // distances of a drawing's pixels from the other, ascending
+};
+
+inline Measures compare(const Bitmap& a, const Bitmap& b, double tolerance) { return Nearness(a, b).at(tolerance); }
 
 }  // namespace fovea::study
