@@ -11,6 +11,12 @@ import numpy as np
 
 PIN = 1.2  # length of a pin of which nothing is foreshortened, in radii
 STEEPEST = 88.0  # degrees from the viewer: what a drag of two radii makes
+# What is practiced on: half of an ellipsoid with half axes [a, b, c], in pixels of a picture from its upper left, the
+# radius and places of gauges on it, and by how many degrees they may be off.
+EXAMPLE = {
+    "size": (400, 280), "axes": (150, 100, 110), "middle": (200, 140), "radius": 20,
+    "places": [(110, 120), (230, 80), (290, 150), (180, 200)], "good": 15,
+}  # fmt: skip
 _TURN = np.linspace(0, 2 * np.pi, 65)[:, None]
 
 
@@ -37,6 +43,20 @@ def dragged(offset, radius):
     """(3,) normal that a pointer makes which is dragged so far (x, y) from the middle, y up."""
     far = min(math.hypot(*offset) / (2 * radius), 1.0)
     return normal(math.asin(far) * STEEPEST / 90, math.atan2(offset[1], offset[0]))
+
+
+def degrees_between(a, b):
+    """Angle between two normals."""
+    return math.degrees(math.acos(min(1.0, max(-1.0, float(np.dot(a, b))))))
+
+
+def normal_of_example(place):
+    """(3,) of the shape that is practiced on, at a place of its picture."""
+    a, b, c = EXAMPLE["axes"]
+    x, y = place[0] - EXAMPLE["middle"][0], EXAMPLE["middle"][1] - place[1]
+    z = c * math.sqrt(max(0.0, 1 - (x / a) ** 2 - (y / b) ** 2))
+    n = np.array([x / a**2, y / b**2, z / c**2])
+    return n / np.linalg.norm(n)
 
 
 def anywhere(random):

@@ -6,13 +6,13 @@ import bpy
 import numpy as np
 from bpy_extras.io_utils import ImportHelper
 
-from .. import files, gauge_session, gauges
+from .. import files, gauge_practice, gauge_session, gauges
 from ..gpu import overlay
 from ..render import line_operators
 from ..scene.operator import TOLD, Operator
 from ..scene.problem import CannotDraw
 
-COLOR, WIDTH = (0.0, 0.8, 0.0, 1.0), 2.5  # as on the page; pixels, before the interface is scaled
+COLOR, OFF, WIDTH = (0.0, 0.8, 0.0, 1.0), (0.93, 0.4, 0.0, 1.0), 2.5  # as on the page; pixels, of interface scale 1
 KEYS = (
     ("MOUSE_LMB_DRAG", "Turn"),
     ("EVENT_SPACEKEY", "Next"),
@@ -25,15 +25,22 @@ last = {}  # name of a study: the Session that the last person had here
 
 
 class Shown:
-    """A Session's gauge over its picture, in each image editor that shows that."""
+    """The gauge of a Session, or of a Practice, over its picture, in each image editor that shows that."""
 
     def __init__(self, session, image):
         self.session, self.image = session, image.name  # no reference to it would outlive an undo
         self.hand = gauge_session.Hand(session)
         self._handle = bpy.types.SpaceImageEditor.draw_handler_add(self._draw, (), "WINDOW", "POST_PIXEL")
 
+    @property
+    def is_practice(self):
+        return isinstance(self.session, gauge_practice.Practice)
+
     def end(self):
+        """Takes the gauge away, and what was practiced on."""
         bpy.types.SpaceImageEditor.draw_handler_remove(self._handle, "WINDOW")
+        if self.is_practice and (image := bpy.data.images.get(self.image)):
+            bpy.data.images.remove(image)
 
     def editor(self, window):
         """(area, region) of a window that has the picture; None: there is none."""
@@ -63,14 +70,17 @@ class Shown:
 
     def words(self):
         session = self.session
+        if self.is_practice and not session.done:
+            return f"Practice {session.at + 1} of {len(session.steps)}: {session.words}"
         return self.hand.told or f"Gauge {session.at + 1} of {len(session.steps)}"
 
     def _draw(self):
         """Draw handler: called after Blender has drawn an image editor."""
         context = bpy.context
         if self._is_in(context.space_data) and not self.session.done:
+            color = OFF if self.is_practice and not self.session.is_good else COLOR
             for line in self.lines(context.region):
-                overlay.curve(line, COLOR, WIDTH * context.preferences.system.ui_scale)
+                overlay.curve(line, color, WIDTH * context.preferences.system.ui_scale)
 
 
 def device(context, event):
@@ -78,6 +88,17 @@ def device(context, event):
     pointer = "pen" if event is not None and event.is_tablet else "mouse"
     window, ratio = context.window, round(context.preferences.system.ui_scale, 3)
     return {"pointer": pointer, "ratio": ratio, "width": window.width, "height": window.height, "program": "Blender"}
+
+
+def practiced_on():
+    """A new image of the shape of a Practice."""
+    gray = gauge_practice.picture()
+    image = bpy.data.images.new("Gauge Practice", *gray.shape[::-1])
+    pixels = np.ones((*gray.shape, 4), np.float32)
+    pixels[..., :3] = gray[..., None]
+    image.pixels.foreach_set(pixels.ravel())
+    image.pack()  # or undo would empty it
+    return image
 
 
 class FOVEA_OT_set_gauges(Operator, ImportHelper, bpy.types.Operator):
@@ -94,6 +115,12 @@ class FOVEA_OT_set_gauges(Operator, ImportHelper, bpy.types.Operator):
         description="Someone else than who has set gauges of this study in this Blender, who may see another picture",
         options={"SKIP_SAVE"},
     )
+    practice: bpy.props.BoolProperty(
+        name="Practice First",
+        description="Someone who sets gauges of this study for the first time sets four on a simple shape before, "
+        "which tells how far off they are",
+        default=True,
+    )
 
     def execute(self, context):
         done = super().execute(context)
@@ -106,27 +133,44 @@ class FOVEA_OT_set_gauges(Operator, ImportHelper, bpy.types.Operator):
         before = None if self.another else last.get(study.name)
         if before is not None and not before.done:
             session = before  # goes on where it was left
-            session.resume()
         else:
             session = gauge_session.begun(study, before, device(context, None))
         path = study.picture(session.stimulus)
         image = bpy.data.images.load(str(path), check_existing=True)
         if tuple(image.size) != study.size:
             raise ValueError(f"{path} is not as large as its study says: make the study again")
-        line_operators.open_image(context, image)
-        shown = Shown(session, image)
+        self._session, self._picture = session, image.name
+        if self.practice and before is None:
+            shown = Shown(gauge_practice.Practice(), practiced_on())
+        else:
+            shown = self._studied()
+        line_operators.open_image(context, bpy.data.images[shown.image])
         places = ((window, shown.editor(window)) for window in context.window_manager.windows)
         place = next(((window, *found) for window, found in places if found), None)
         if place is None:
             shown.end()
             raise CannotDraw("There is no image editor for the picture: open one, and set the gauges again")
-        self._shown, last[study.name] = shown, session
+        self._shown = shown
         window, area, region = place
         with context.temp_override(window=window, area=area, region=region):
             bpy.ops.image.view_all(fit_view=True)
             context.window_manager.modal_handler_add(self)
         context.workspace.status_text_set(_draw_keys)
         self._tell(context, area)
+
+    def _studied(self):
+        """The Shown of the session, which begins."""
+        last[self._session.study.name] = self._session
+        self._session.resume()
+        return Shown(self._session, bpy.data.images[self._picture])
+
+    def _go_on(self, context, area, region):
+        """From the practice to the session."""
+        self._shown.end()
+        self._shown = self._studied()
+        area.spaces.active.image = bpy.data.images[self._picture]
+        with context.temp_override(area=area, region=region):
+            bpy.ops.image.view_all(fit_view=True)
 
     def modal(self, context, event):
         if (place := self._shown.editor(context.window)) is None:
@@ -140,11 +184,14 @@ class FOVEA_OT_set_gauges(Operator, ImportHelper, bpy.types.Operator):
         if event.type == "LEFTMOUSE" and event.value == "PRESS" and not is_inside:
             return {"PASS_THROUGH"}
         if event.is_tablet:
-            hand.session.device["pointer"] = "pen"
+            self._session.device["pointer"] = "pen"
         done = hand.take(event.type, event.value, self._shown.in_picture(region, (x, y)))
+        if done == "end" and self._shown.is_practice and self._shown.session.done:
+            self._go_on(context, area, region)
+            done = "moved"
         try:
             if done == "moved":
-                hand.session.save()
+                self._session.save()
         except files.NotWritten as error:
             self.report({"ERROR"}, str(error))
             return self._end(context)
@@ -163,14 +210,14 @@ class FOVEA_OT_set_gauges(Operator, ImportHelper, bpy.types.Operator):
 
     def _end(self, context):
         """Saves what is set, and takes the gauge away."""
-        shown, session = self._shown, self._shown.session
-        shown.end()
+        shown, session = self._shown, self._session
         if not session.done:
             session.pause()
         context.workspace.status_text_set(None)
         if place := shown.editor(context.window):
             place[0].header_text_set(None)
             place[0].tag_redraw()
+        shown.end()
         try:
             session.save()
         except files.NotWritten as error:

@@ -6,7 +6,7 @@ from command import addon_files
 
 _shared = addon_files.loaded("gauges")  # what sessions in Blender need, too
 STEEPEST, normal, ellipse, lines = _shared.STEEPEST, _shared.normal, _shared.ellipse, _shared.lines
-dragged, sets = _shared.dragged, _shared.sets
+dragged, sets, EXAMPLE = _shared.dragged, _shared.sets, _shared.EXAMPLE
 
 RADIUS = 20 / 768  # of a gauge's disc, of the picture's height
 STRING, SPACING = 15, 5 / 768  # gauges of a string, and between them, of the picture's height

@@ -3,9 +3,8 @@
 // page.py writes.
 "use strict";
 
-const SVG = "http://www.w3.org/2000/svg", GREEN = "#0c0", GOOD = 15;
-const EXAMPLE = {axes: [150, 100, 110], middle: [200, 140], radius: 20};
-const PRACTICE = [[110, 120], [230, 80], [290, 150], [180, 200]];
+const SVG = "http://www.w3.org/2000/svg", GREEN = "#0c0";
+const EXAMPLE = STUDY.example, PRACTICE = EXAMPLE.places;
 const SETS = sets(STUDY.gauges.length, STUDY.strings);
 const $ = id => document.getElementById(id);
 
@@ -81,7 +80,10 @@ function show(section) {
 }
 
 function addExamples() {
+    const [rx, ry] = EXAMPLE.axes, [cx, cy] = EXAMPLE.middle;
+    for (const [key, value] of Object.entries({cx, cy, rx, ry})) $("ellipsoid").setAttribute(key, value);
     for (const svg of document.querySelectorAll("svg.example")) {
+        svg.setAttribute("viewBox", [0, 0, ...EXAMPLE.size].join(" "));
         shape(svg, "use", {href: "#ellipsoid"});
         for (const [x, y] of svg.id === "practice" ? [] : PRACTICE) {
             const n = normalOfEllipsoid(x - EXAMPLE.middle[0], EXAMPLE.middle[1] - y, EXAMPLE.axes);
@@ -103,9 +105,9 @@ function practice() {
         const [x, y] = PRACTICE[at];
         const truth = normalOfEllipsoid(x - EXAMPLE.middle[0], EXAMPLE.middle[1] - y, EXAMPLE.axes);
         const off = degreesBetween(n, truth);
-        $("hint").textContent = !moved ? "Drag the gauge." : off < GOOD ? "Good: it lies on the surface. Press space."
+        $("hint").textContent = !moved ? "Drag the gauge." : off < EXAMPLE.good ? "Good: it lies on the surface. Press space."
             : `Not yet: it is ${Math.round(off)} degrees off.`;
-        gauge.color(moved && off < GOOD ? GREEN : "#e60");
+        gauge.color(moved && off < EXAMPLE.good ? GREEN : "#e60");
     };
     onDrag(svg, () => PRACTICE[at], (dx, dy) => { n = dragged(dx, dy, EXAMPLE.radius); moved = true; draw(); });
     const next = () => {

@@ -6,12 +6,15 @@ import base64
 import json
 from pathlib import Path
 
+from .formulas import EXAMPLE
+
 HERE = Path(__file__).parent
 
 
 def page(told, pictures):
     """The text of the page. `told`: what study.json has; `pictures`: {style: bytes of its PNG file}."""
     shown = {key: told[key] for key in ("study", "build", "model", "size", "radius")}
+    shown["example"] = EXAMPLE
     shown["strings"] = told.get("strings", [])
     shown["gauges"] = [[gauge["x"], gauge["y"]] for gauge in told["gauges"]]
     shown["stimuli"] = [

@@ -11,6 +11,8 @@ import numpy as np
 import pytest
 from gauges import formulas, page
 
+from addon import gauges as shared
+
 TOLD = {
     "study": "abc",
     "build": "test",
@@ -46,7 +48,9 @@ console.log(JSON.stringify({
     sets: told.counts.map(count => gauge.sets(count)),
     strings: told.strings.map(each => gauge.sets(200, each)), log,
     lines: session.lines(), back: session.back(), counts, anywhere,
-    ellipsoid: gauge.normalOfEllipsoid(30, -40, [100, 100, 100]), off: gauge.degreesBetween([0, 0, 1], [0.6, 0, 0.8]),
+    ellipsoid: gauge.normalOfEllipsoid(30, -40, [100, 100, 100]),
+    example: told.example.places.map(([x, y]) => gauge.normalOfEllipsoid(
+        x - told.example.middle[0], told.example.middle[1] - y, told.example.axes)), off: gauge.degreesBetween([0, 0, 1], [0.6, 0, 0.8]),
 }));
 """
 OFFSETS = [(x, y) for x in (-60, -7, 0, 21) for y in (-35, 0, 4, 19)]
@@ -62,7 +66,7 @@ def found():
     normals = [formulas.dragged(offset, 20) for offset in OFFSETS]
     study = {**TOLD, "gauges": [[gauge["x"], gauge["y"]] for gauge in TOLD["gauges"]]}
     asked = {"offsets": OFFSETS, "normals": [list(n) for n in normals], "counts": COUNTS, "strings": STRINGS}
-    asked["study"] = study
+    asked["study"], asked["example"] = study, formulas.EXAMPLE
     words = [node, "-e", RUN, str(page.HERE / "gauge.js")]
     done = subprocess.run(words, input=json.dumps(asked), capture_output=True, text=True)
     assert done.returncode == 0, done.stderr
@@ -132,6 +136,7 @@ def test_gauges_begin_anywhere_on_the_hemisphere(found):
 
 def test_the_shape_to_practice_on_has_its_normals(found):
     assert found["ellipsoid"] == pytest.approx((0.3, -0.4, np.sqrt(0.75)))
+    assert np.allclose(found["example"], [shared.normal_of_example(place) for place in shared.EXAMPLE["places"]])
     assert found["off"] == pytest.approx(np.degrees(np.arccos(0.8)))
 
 

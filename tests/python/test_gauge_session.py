@@ -13,7 +13,7 @@ from gauge_people import GAUGES, save, study
 from gauges import analysis, formulas, observers, records
 from native_core import core
 
-from addon import files, gauge_session, gauges
+from addon import files, gauge_practice, gauge_session, gauges
 
 DEVICE = {"pointer": "mouse"}
 
@@ -200,3 +200,33 @@ def test_a_folder_that_cannot_be_written_to_is_named(tmp_path, monkeypatch):
     with pytest.raises(files.NotWritten, match="ball-me-0.jsonl could not be written .No space left"):
         shown.save()
     assert not list(tmp_path.glob("*.jsonl"))
+
+
+def test_a_practice_tells_how_far_off_gauges_are_and_ends_after_its_last_one():
+    practice = gauge_practice.Practice(randoms.Random(1))
+    hand = gauge_session.Hand(practice)
+    assert practice.words == gauge_practice.FIRST and hand.take("SPACE", "PRESS", (0, 0)) == "told"
+    for k, place in enumerate(gauges.EXAMPLE["places"]):
+        truth = gauges.normal_of_example(place)
+        assert practice.place == place and not practice.is_good
+        practice.turn(np.array((truth[1], -truth[0], truth[2])))
+        off = gauges.degrees_between(practice.normal, truth)
+        assert practice.words == f"Not yet: it is {off:.0f} degrees off" and off > 15
+        practice.turn(truth)
+        assert practice.is_good and practice.words == gauge_practice.GOOD
+        assert hand.take("SPACE", "PRESS", (0, 0)) == ("moved" if k < 3 else "end")
+    assert practice.done and hand.take("BACK_SPACE", "PRESS", (0, 0)) == "told"
+
+
+def test_the_shape_that_is_practiced_on_is_the_half_of_an_ellipsoid():
+    for place in gauges.EXAMPLE["places"]:
+        n, step = gauges.normal_of_example(place), 1e-4
+        (a, b, c), middle = gauges.EXAMPLE["axes"], gauges.EXAMPLE["middle"]
+        height = lambda x, y: c * math.sqrt(1 - ((x - middle[0]) / a) ** 2 - ((y - middle[1]) / b) ** 2)  # noqa: E731
+        across = height(place[0] + step, place[1]) - height(place[0] - step, place[1])
+        up = height(place[0], place[1] - step) - height(place[0], place[1] + step)
+        assert n[:2] / n[2] == pytest.approx((-across / (2 * step), -up / (2 * step)), rel=1e-4)
+    shown = gauge_practice.picture()
+    assert shown.shape == gauges.EXAMPLE["size"][::-1] and shown[0, 0] == 1.0
+    inside = shown < 0.99
+    assert inside.sum() == pytest.approx(math.pi * a * b, rel=0.01) and shown[inside].min() < 0.4 < 0.9 < shown.max()

@@ -57,6 +57,7 @@ MODULES = {
     "stages": "",
     "files": "",
     "gauges": "",
+    "gauge_practice": "gauges",
     "gauge_session": "files gauges",
     "frame_records": "held_folder",
     "held_folder": "",

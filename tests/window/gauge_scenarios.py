@@ -16,6 +16,7 @@ from the_addon import part
 from window import screen
 
 setting, native = part("ui.gauge_setting"), part("native")
+gauges, gauge_practice = part("gauges"), part("gauge_practice")
 SIZE, RADIUS = (320, 240), 20.0
 PLACES = [(60.5, 60.0), (160.0, 120.0), (250.0, 180.5)]
 OFFSETS = [(12, 5), (-18, -9), (3, 25), (0, -30), (22, -22), (-33, 2)]  # pixels of the picture, y up
@@ -45,32 +46,83 @@ def override():
     return bpy.context.temp_override(window=window, screen=window.screen, area=area, region=region)
 
 
-def invoked(path):
+def invoked(path, **words):
     with override():
-        return list(bpy.ops.fovea.set_gauges(filepath=str(path)))
+        return list(bpy.ops.fovea.set_gauges(filepath=str(path), **words))
 
 
-def window_px(px):
+def window_px(px, size=SIZE):
     """Pixels of the window, of pixels (x, y) of the picture from the upper left."""
     region = editor()[1]
-    x, y = region.view2d.view_to_region(px[0] / SIZE[0], 1 - px[1] / SIZE[1], clip=False)
+    x, y = region.view2d.view_to_region(px[0] / size[0], 1 - px[1] / size[1], clip=False)
     return region.x + x, region.y + y
 
 
 def turned(session, offset):
     """Drags the gauge that is shown."""
-    x, y = session.place
-    yield from drag("LEFTMOUSE", window_px((x + 4, y)), window_px((x + offset[0], y - offset[1])), 4)
+    (x, y), size = session.place, session.study.size
+    ends = ((x + 4, y), (x + offset[0], y - offset[1]))
+    yield from drag("LEFTMOUSE", *(window_px(end, size) for end in ends), 4)
 
 
-def green():
-    """(n, 2) pixels of the editor's region, x and y, that have the color of gauges."""
+def colored(color):
+    """(n, 2) pixels of the editor's region, x and y, that have a color."""
     region = editor()[1]
     with override():
         bpy.ops.wm.redraw_timer(type="DRAW_WIN_SWAP", iterations=1)
     shown = screen.whole()[region.y : region.y + region.height, region.x : region.x + region.width]
-    rows, columns = np.nonzero((shown[..., 1] > 0.7) & (shown[..., 0] < 0.2) & (shown[..., 2] < 0.2))
+    rows, columns = np.nonzero((np.abs(shown[..., :3] - color) < 0.15).all(axis=2))
     return np.stack([columns, rows], axis=1)
+
+
+def green():
+    return colored(setting.COLOR[:3])
+
+
+def orange():
+    return colored(setting.OFF[:3])
+
+
+def offset_of(n):
+    """Where a gauge of the practice is dragged to, in pixels from its middle, y up, to have a normal."""
+    slant = np.degrees(np.arccos(n[2])) * 90 / gauges.STEEPEST
+    return 2 * gauges.EXAMPLE["radius"] * np.sin(np.radians(slant)) * np.array(n[:2]) / np.hypot(*n[:2])
+
+
+def practice(folder):
+    """Someone new practices, stops, and practices again, whereupon the session begins."""
+    path = study(folder)
+    yield from screen.fill()
+    bpy.context.window_manager.windows[0].screen.areas[0].type = "IMAGE_EDITOR"
+    yield from screen.rest(0.3)
+    images = set(bpy.data.images.keys())
+    told = {"begun": invoked(path)}
+    yield from screen.rest(0.3)
+    yield from event("ESC", "PRESS", window_px((10, 10)))
+    yield from screen.rest(0.2)
+    told["stopped"] = [sorted(set(bpy.data.images.keys()) - images), list(setting.last)]
+    invoked(path)
+    yield from screen.rest(0.3)
+    (shape,) = (image for image in bpy.data.images if image.name.startswith("Gauge Practice"))
+    told["size"], told["seen"] = list(shape.size), []
+    trial = gauge_practice.Practice()
+    for place in gauges.EXAMPLE["places"]:
+        offset = offset_of(gauges.normal_of_example(place))
+        for of in (-offset, offset):  # the other way, and then as the shape lies
+            trial.at = gauges.EXAMPLE["places"].index(place)
+            yield from turned(trial, of)
+            told["seen"].append([len(green()) > 0, len(orange()) > 0])
+        yield from press("SPACE", window_px((10, 10)))
+    yield from screen.rest(0.2)
+    shown = setting.last["abc"]
+    told["session"] = [shown.at, shown.count, editor()[0].spaces.active.image.name]
+    told["images"] = sorted(set(bpy.data.images.keys()) - images)
+    yield from turned(shown, OFFSETS[0])
+    yield from press("SPACE", window_px((10, 10)))
+    yield from event("ESC", "PRESS", window_px((10, 10)))
+    yield from screen.rest(0.2)
+    told["lines"] = [json.loads(line) for line in shown.path.read_text().splitlines()]
+    return told
 
 
 def session(folder):
@@ -79,7 +131,7 @@ def session(folder):
     yield from screen.fill()
     bpy.context.window_manager.windows[0].screen.areas[0].type = "IMAGE_EDITOR"
     yield from screen.rest(0.3)
-    told = {"begun": invoked(path)}
+    told = {"begun": invoked(path, practice=False)}
     yield from screen.rest(0.3)
     shown, region = setting.last["abc"], editor()[1]
     yield from press("SPACE", window_px((10, 10)))

@@ -29,3 +29,13 @@ def test_gauges_are_set_by_drags_kept_at_escape_and_saved_for_the_analysis(play,
     for line, offset in zip(found["lines"], OFFSETS):
         assert formulas.angles(np.array(line["n"]), formulas.dragged(offset, 20)) < 3, "to whole pixels of the window"
         assert line["ms"] > 0 and line["device"]["program"] == "Blender"
+
+
+def test_someone_new_practices_until_gauges_lie_on_a_shape_and_nothing_of_it_is_kept(play):
+    found = play("practice", file="gauge_scenarios.py", simulate=True)
+    assert found["begun"] == ["RUNNING_MODAL"] and found["stopped"] == [["plain.png"], []], "a new person again"
+    assert found["size"] == [400, 280]
+    assert found["seen"] == [[False, True], [True, False]] * 4, "orange while off, green on the surface"
+    assert found["session"] == [0, 0, "plain.png"] and found["images"] == ["plain.png"]
+    (line,) = found["lines"]
+    assert 0 < line["ms"] < 5000, "without the time of the practice"
