@@ -31,6 +31,20 @@ def remarks(chosen):
     return list(told)
 
 
+def parameters(names, path):
+    """{name: {parameter: path}} of the definitions among those named that are given a file, which `path` is; None: there
+    is no file. ValueError if it cannot be read, if one lacks it, or if none needs it."""
+    wanted = {name: definition["file"]["name"] for name in names if (definition := _definitions().get(name))}
+    if path is None and wanted:
+        raise ValueError(f"{', '.join(wanted)}: name the file that it is given by --model")
+    if path is None:
+        return {}
+    if not wanted:
+        raise ValueError(f"--model: {', '.join(names)} needs no file")
+    learned_lines.read(path)
+    return {name: {file: str(path)} for name, file in wanted.items()}
+
+
 def stamp(chosen):
     """What tells whether the files of a Style have changed, to be compared."""
     return tuple((path, _stamp(path)) for path in _paths(chosen))

@@ -8,7 +8,7 @@ from dataclasses import replace
 from pathlib import Path
 
 import bpy
-from bl_ext.user_default.fovea import catalogue, comparison, comparison_report, explained_lines
+from bl_ext.user_default.fovea import catalogue, comparison, comparison_report, explained_lines, line_files
 from bl_ext.user_default.fovea.render import definition_strengths
 from bl_ext.user_default.fovea.scene.problem import CannotDraw
 
@@ -26,15 +26,16 @@ OUTLINES = "silhouette", "contour"
 
 def main(words):
     options = compare.parse(words[1:])
+    names = catalogue.named(options.lines) if options.lines else NAMES
+    given = line_files.parameters(names, options.given)
     compared = compare.of_files(comparison, options)
     height, width = compared.a.pixels.shape
     scene_source.open_scene(options.scene)
     scene = bpy.context.scene
     draw.set_camera(scene, draw_options.parse([options.scene, "--size", f"{width}x{height}"]))
     seen_by = scene_source.seen_by(options.camera)
-    names = catalogue.named(options.lines) if options.lines else NAMES
     try:
-        of_scene = definition_strengths.found(bpy.context, (width, height), names, *OUTLINES, seen_by)
+        of_scene = definition_strengths.found(bpy.context, (width, height), names, *OUTLINES, seen_by, given)
     except CannotDraw as problem:
         raise ValueError(str(problem)) from problem
     explained = explained_lines.explain(*of_scene, compared.judges, compared.found["tolerance_px"])

@@ -15,12 +15,13 @@ LEAST = 0.05  # of a threshold's default: the weakest lines that are looked at
 THRESHOLDS = np.geomspace(0.02, 1.0, 8)  # of definitions in the image, whose strengths end at their threshold
 
 
-def found(context, size, names, outer, contours, seen_by=None):
+def found(context, size, names, outer, contours, seen_by=None, given=None):
     """(definitions, outer, contours) of a final render of the context's frame and view layer with (width, height)
     pixels, as explained_lines.explain takes them. `names`: of the definitions; `outer`, `contours`: those of which the
-    other two are. `seen_by`: an object, None: the scene's camera."""
+    other two are. `seen_by`: an object, None: the scene's camera. `given`: {name: {parameter: value}}."""
+    every = dict.fromkeys((*names, outer, contours), {}) | (given or {})
     return as_rendered.look(
-        context, partial(_of_render, names=names, outlines=(outer, contours)), prepared(size, seen_by)
+        context, partial(_of_render, every=every, names=names, outlines=(outer, contours)), prepared(size, seen_by)
     )
 
 
@@ -37,14 +38,17 @@ def prepared(size, seen_by=None):
     return prepare
 
 
-def _of_render(engine, depsgraph, names, outlines):
+def _of_render(engine, depsgraph, every, names, outlines):
     definitions = catalogue.by_name()
-    every = dict.fromkeys((*outlines, *names), {})
     read = reading.Reader().read(depsgraph, pipeline.style_of_lines(every))
     if not read.snapshot.surfaces:
         raise CannotDraw("The scene is empty: there is nothing that has lines")
     core, view = native.load(), camera.of_render(engine, depsgraph)
-    drawn = partial(_lines, core, read, scene.seen(core, view))
+    seen = scene.seen(core, view)
+
+    def drawn(name, parameters):
+        return _lines(core, read, seen, name, every[name] | parameters)
+
     outer, contours = (_bitmap(core, view, drawn(name, {})) for name in outlines)
     return (
         {

@@ -90,6 +90,7 @@ def parse(words):
     )
     parser.add_argument("--camera", metavar="NAME", help="of the scene")
     parser.add_argument("--lines", type=lambda text: text.split(","), metavar="A,B", help="line definitions")
+    parser.add_argument("--model", dest="given", type=model_files.file, metavar="FILE", help="that a definition needs")
     parser.add_argument("-o", "--output", type=_output, metavar="OUT.html|OUT.png", help="report, or overlay")
     parser.add_argument("--json", action="store_true")
     parser.add_argument("--sheet", choices=SHEETS, help="-o OUT.pdf: paper to draw on after the picture A")
@@ -103,6 +104,8 @@ def parse(words):
         parser.error(f"-o: a report is one of {', '.join(REPORTS)}, not {options.output.name}")
     if (options.camera or options.lines) and not options.scene:
         parser.error("--camera and --lines go with --scene")
+    if options.given and not options.lines:
+        parser.error("--model goes with --lines")
     check_tolerance(parser, options)
     return options
 

@@ -102,14 +102,10 @@ def _style(options):
 
 def _given(options):
     """{parameter: value} of --param, and of the file that the definition needs. ValueError if that is none."""
-    given, path = dict(options.param), options.given
-    definition = importlib.import_module("addon.catalogue").by_name().get(options.definition)
-    if not path or not definition:
-        return given
-    if not definition["file"]:
-        raise ValueError(f"--model: {options.definition} needs no file")
-    importlib.import_module("addon.learned_lines").read(path)
-    return given | {definition["file"]["name"]: str(path)}
+    if not options.given or options.definition not in importlib.import_module("addon.catalogue").by_name():
+        return dict(options.param)
+    files = importlib.import_module("addon.line_files").parameters([options.definition], options.given)
+    return dict(options.param) | files[options.definition]
 
 
 def _output(text):

@@ -12,6 +12,7 @@ from the_addon import add_camera, empty_scene, part, use_style
 
 native = part("native")
 style, style_data, style_read = part("style"), part("style.style_data"), part("style.style_read")
+definition_strengths, explained_lines = part("render.definition_strengths"), part("explained_lines")
 SIZE = 640, 480
 
 
@@ -65,6 +66,15 @@ def test_a_drawing_is_learned_and_the_scene_drawn_by_it(scene, tmp_path):
     found = rendered(scene, tmp_path / "found.png")
     lines, wanted = (native.load().Bitmap(np.uint8(picture > 0.5)) for picture in (found, artist))
     assert lines.measures(wanted, 3.0)["f1"] > 0.8
+
+
+def test_learned_lines_explain_the_drawing_they_are_learned_from_better_than_others_do(scene, tmp_path):
+    path = learn(scene, tmp_path)
+    judge = part("comparison").read(tmp_path / "artist.png").bitmap(SIZE)
+    names, given = ["learned_line", "ridge"], part("line_files").parameters(["learned_line"], path)
+    of_scene = definition_strengths.found(bpy.context, SIZE, names, "silhouette", "contour", given=given)
+    curves = explained_lines.explain(*of_scene, [judge], 3.0)["curves"]
+    assert curves["learned_line"]["area"] > max(0.9, curves["ridge"]["area"] + 0.1)
 
 
 def test_of_several_drawings_the_mean_is_learned_with_a_tolerance_in_millimeters(scene, tmp_path):

@@ -171,3 +171,15 @@ def test_fovea_lines_extracts_lines_by_a_model(tmp_path):
     path.write_text("{}")
     with pytest.raises(ValueError, match=r"steep.json: a model of lines: 'line_model' is missing"):
         extracted(tmp_path, "--definition", NAME, "--model", str(path))
+
+
+def test_a_command_gives_a_file_to_the_lines_that_need_one_and_says_where_it_is_of_no_use(file):
+    assert line_files.parameters(["contour", NAME], file) == {NAME: {FILE: str(file)}}
+    assert line_files.parameters(["contour"], None) == {}
+    with pytest.raises(ValueError, match=f"{NAME}: name the file"):
+        line_files.parameters(["contour", NAME], None)
+    with pytest.raises(ValueError, match="contour, ridge needs no file"):
+        line_files.parameters(["contour", "ridge"], file)
+    file.write_text("{}")
+    with pytest.raises(ValueError, match="artist.json"):
+        line_files.parameters([NAME], file)
