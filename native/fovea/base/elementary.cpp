@@ -27,12 +27,26 @@ double doubled(double x, int doublings) {
     return x * std::bit_cast<double>(std::uint64_t(doublings + 1023) << 52);
 }
 
-/// Coefficients of a power series, from the lowest one; each is computed by the compiler, exactly rounded.
+/// Sum of some terms of a power series, divided by x to the power of `First`. `power`: x, x^2, x^4 and x^8. Halves are
+/// summed up side by side, as the steps of Horner's scheme would wait for each other (Estrin 1960).
+template <std::size_t First, std::size_t Terms, std::size_t Count>
+double terms(const std::array<double, Count>& of, const std::array<double, 4>& power) {
+    if constexpr (Terms == 1) {
+        return of[First];
+    } else {
+        constexpr std::size_t low = std::bit_floor(Terms - 1);
+        return terms<First, low>(of, power) + terms<First + low, Terms - low>(of, power) * power[std::countr_zero(low)];
+    }
+}
+
+/// Coefficients of a power series, from the lowest one; each is computed by the compiler, exactly rounded. The first
+/// three, which decide about the error, are summed up last and in turn.
 template <std::size_t Count>
 double series(const std::array<double, Count>& of, double x) {
-    double sum = of[Count - 1];
-    for (std::size_t i = Count - 1; i-- > 0;) sum = sum * x + of[i];
-    return sum;
+    static_assert(Count > 4 && Count <= 19);
+    const double square = x * x, fourth = square * square;
+    const double tail = terms<3, Count - 3>(of, {x, square, fourth, fourth * fourth});
+    return of[0] + x * (of[1] + x * (of[2] + x * tail));
 }
 
 /// (-1)^i / (2 i + first)!: sine and cosine in the square of the angle.
