@@ -32,8 +32,8 @@ def remarks(chosen):
 
 
 def parameters(names, path):
-    """{name: {parameter: path}} of the definitions among those named that are given a file, which `path` is; None: there
-    is no file. ValueError if it cannot be read, if one lacks it, or if none needs it."""
+    """{name: {parameter: path}} of the definitions among those named that are given a file, which `path` is; None:
+    there is no file. ValueError if it cannot be read, if one lacks it, or if none needs it."""
     wanted = {name: definition["file"]["name"] for name in names if (definition := _definitions().get(name))}
     if path is None and wanted:
         raise ValueError(f"{', '.join(wanted)}: name the file that it is given by --model")

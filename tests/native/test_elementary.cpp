@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Elementary functions against those of the system, in higher precision, and the bits of some of their results, which
 // are the same on every machine.
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdint>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Fairing of lines along the edges of rounded surfaces (runs/fair.h).
+#include <gtest/gtest.h>
 #include <numbers>
 
 #include <fovea/runs/fair.h>

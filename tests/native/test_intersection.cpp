@@ -92,8 +92,8 @@ TEST(Intersection, OfShearedQuadsHasOnlyTheTrianglesThatThereAre) {
     const Crossings found = cross(*flat, *second, sheared, never), expected = cross(*flat, *mapped, Affine(1.0), never);
     ASSERT_FALSE(found.empty());
     ASSERT_EQ(found.size(), expected.size());
-    for (std::size_t i = 0; i < found.size(); ++i)
-        for (int k = 0; k < 2; ++k) EXPECT_LT(found[i].triangle[k], 2u);
+    for (const Crossing& crossing : found)
+        for (const Index triangle : crossing.triangle) EXPECT_LT(triangle, 2u);
 }
 
 TEST(Intersection, NeighborsDoNotIntersect) {

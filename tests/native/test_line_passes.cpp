@@ -38,7 +38,7 @@ const std::string thick = R"({"width": 9})", faint = R"({"width": 9, "opacity": 
 struct Boxes {
     const Array<Index> numbers{0, 1};
 
-    Job job(const std::string& json, Options options = all) const {
+    Job job(const std::string& json, const Options& options = all) const {
         Job job{.scene = std::make_shared<Scene>(Scene(
                     {place(meshes::box(), moved({0, 0, 0}), 1), place(meshes::box(), moved({1.5, 2.5, 0.3}), 2)})),
                 .view = perspective({3, -8, 4}, {0, 1, 0}, 50, 240, 180),
@@ -52,7 +52,7 @@ struct Boxes {
         return job;
     }
 
-    Picture picture(const std::string& json, Options options = all) const {
+    Picture picture(const std::string& json, const Options& options = all) const {
         Frame frame(job(json, options));
         frame.picture();
         return std::move(frame.passes);

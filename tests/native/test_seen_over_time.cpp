@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How long each place of a line is seen while the ends of what is seen move.
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <gtest/gtest.h>

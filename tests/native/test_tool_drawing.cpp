@@ -79,7 +79,7 @@ TEST(ToolDrawing, LinesByAModelAreThoseOfTheFileThatTheStyleNames) {
     EXPECT_TRUE(refused(drawn).starts_with(name_of(model) + ": a model of lines: 'line_model' is missing"));
     std::filesystem::create_directories(folder.path / "styles");
     std::filesystem::rename(style, folder.path / "styles" / "style.json");
-    std::filesystem::create_symlink(model, folder.path / "styles" / "model.json");
+    if (!make_link(model, folder.path / "styles" / "model.json")) GTEST_SKIP() << "links cannot be made here";
     EXPECT_NE(refused([&] { tool::read_style(folder.path / "styles" / "style.json"); }).find("leads out"),
               std::string::npos);
 }

@@ -140,7 +140,7 @@ TEST(Vectors, OfAPenThinnerThanAPixelHaveItsWidth) {
 
 TEST(Vectors, OfAPenInMillimetersAreAsWideOnEveryPageAndThoseOfOthersGrowWithThePicture) {
     style::Style style = tool::style_of({"contour", "crease"});
-    const auto width = [&](vector::Options options) { return paths_of(drawn(style, options)).at(0).look.width; };
+    const auto width = [&](const vector::Options& options) { return paths_of(drawn(style, options)).at(0).look.width; };
     EXPECT_GT(width({.sheet = vector::Sheet::a2}), 1.5 * width({.sheet = vector::Sheet::a4}));
     style.line_sets[0].pen.width_unit = style::WidthUnit::millimetres;
     style.line_sets[0].pen.width = 0.35;

@@ -50,7 +50,8 @@ console.log(JSON.stringify({
     lines: session.lines(), back: session.back(), counts, anywhere,
     ellipsoid: gauge.normalOfEllipsoid(30, -40, [100, 100, 100]),
     example: told.example.places.map(([x, y]) => gauge.normalOfEllipsoid(
-        x - told.example.middle[0], told.example.middle[1] - y, told.example.axes)), off: gauge.degreesBetween([0, 0, 1], [0.6, 0, 0.8]),
+        x - told.example.middle[0], told.example.middle[1] - y, told.example.axes)),
+    off: gauge.degreesBetween([0, 0, 1], [0.6, 0, 0.8]),
 }));
 """
 OFFSETS = [(x, y) for x in (-60, -7, 0, 21) for y in (-35, 0, 4, 19)]

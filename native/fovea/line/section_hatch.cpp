@@ -49,7 +49,8 @@ Curves find(const FrameView& frame, const SectionHatch& values) {
     const View& view = frame.tracer.view();
     const Scene& scene = frame.tracer.scene();
     const Array<SectionSide> outline = section_sides(scene, view);
-    if (outline.empty()) return {};
+    const std::optional<dvec4> section = section_in_view(scene, view);
+    if (outline.empty() || !section) return {};
     const double angle = glm::radians(values.angle), step = std::max(values.spacing * view.reference_scale, least_px);
     const dvec2 along(std::cos(angle), std::sin(angle)), across(-along.y, along.x);
     const dvec2 axis = to_pixels(view, view.view_to_clip * dvec4(0, 0, -1, 1));
@@ -60,7 +61,7 @@ Curves find(const FrameView& frame, const SectionHatch& values) {
     const double reach =
         glm::length(dvec2(view.width, view.height)) + glm::length(axis - 0.5 * dvec2(view.width, view.height));
     const int half = int(std::ceil(reach / step));
-    const OnPlane plane(view, *section_in_view(scene, view));
+    const OnPlane plane(view, *section);
     Curves pieces;
     std::mutex mutex;
     image::each_span(sides, {-half * step, step, 2 * half + 1}, [&](int line, double begin, double end) {

@@ -95,7 +95,7 @@ std::vector<Light> casting_lights(In<Light> of, const Scene& scene, std::size_t 
 }
 
 std::vector<Light> casting_lights(const Scene& scene, std::size_t most, bool corners) {
-    const std::vector<Light> lights = casting_lights(scene.lights, scene, most);
+    std::vector<Light> lights = casting_lights(scene.lights, scene, most);
     if (!corners) return lights;
     std::vector<Light> with;
     for (const Light& light : lights) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <map>
+#include <stdexcept>
 #include <tuple>
 
 #include <fovea/color/shader.h>
@@ -19,11 +20,10 @@ constexpr Label bands = 1u << 8, materials = 1u << 24;  // more than there are
 /// Labels of what is seen: which placement, material and band of light.
 class Seen {
    public:
-    explicit Seen(const Frame& frame)
+    Seen(const Frame& frame, const ColorSources& from)
         : tracer_(*frame.tracer),
-          lighting_(frame.job.colors->lights, frame.job.colors->world, tracer_.scene(), tracer_.view(),
-                    frame.job.style.color),
-          shader_(tracer_.scene(), tracer_.view(), frame.job.colors->surfaces, lighting_) {}
+          lighting_(from.lights, from.world, tracer_.scene(), tracer_.view(), frame.job.style.color),
+          shader_(tracer_.scene(), tracer_.view(), from.surfaces, lighting_) {}
 
     Label at(const dvec2& px) const {
         const auto hit = tracer_.seen(px);
@@ -123,7 +123,8 @@ std::vector<std::pair<Label, std::vector<Curve>>> outlines_of(const std::vector<
 Layer colors_layer(Frame& frame, const Page& page, double tolerance) {
     frame.picture();
     const View& view = frame.job.view;
-    const Seen seen(frame);
+    if (!frame.job.colors) throw std::invalid_argument("areas of color: the frame has no colors");
+    const Seen seen(frame, *frame.job.colors);
     const LabelAt at = [&](const dvec2& px) { return seen.at(px); };
     const int per_px = double(view.width) * view.height > many_pixels ? 1 : 2;
     const Labels labels = without_specks(labels_of(view.width, view.height, per_px, at), per_px * per_px);

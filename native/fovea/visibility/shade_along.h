@@ -47,7 +47,7 @@ class Placed {
     Placed(const Scene& scene, const dvec4& viewer) : scene_(scene), viewer_(viewer) {}
 
     const ShadedSurface& at(Index placement) {
-        if (placement != placement_) {
+        if (!surface_ || placement != placement_) {
             surface_.emplace(scene_, placement, viewer_);
             placement_ = placement;
         }
