@@ -1830,9 +1830,11 @@ class Nearness:
     def __init__(self, a: Bitmap, b: Bitmap) -> None: ...
     def measures(self, tolerance: float) -> dict:
         """As Bitmap.measures."""
-    def shares_within(self, distances: Sequence[float]) -> dict:
-        """{of_a, of_b}: for each of the distances [px] the shares of A's pixels that are that near to B, and of B's to
-        A."""
+    @property
+    def pixels(self) -> int:
+        """of both"""
+    def shares_within(self, distances: Sequence[float]) -> NDArray[numpy.float64]:
+        """For each of the distances [px] the share of both drawings' pixels that are that near to the other one."""
 
 LEAST_INK: float
 

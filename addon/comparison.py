@@ -217,8 +217,6 @@ def _agreement(nearness, tolerance):
     """Distances [px] of the pixels of drawings from each other, of pairs of them by their native Nearness, as shares of
     all pixels within them."""
     distances = np.linspace(0, FARTHEST * max(tolerance, 1.0), DISTANCES).tolist()
-    shares = [of_one for pair in nearness for of_one in pair.shares_within(distances).values()]
-    measures = [pair.measures(tolerance) for pair in nearness]
-    pixels = [of_pair[name] for of_pair in measures for name in ("pixels_a", "pixels_b")]
+    shares, pixels = [pair.shares_within(distances) for pair in nearness], [pair.pixels for pair in nearness]
     shares = np.average(shares, axis=0, weights=pixels) if any(pixels) else np.ones(DISTANCES)
     return {"distances_px": distances, "shares": shares.tolist()}

@@ -10,11 +10,10 @@ import numpy as np
 from . import gauges
 
 GOOD, NOT_YET, FIRST = "Good: it lies on the surface", "Not yet: it is {:.0f} degrees off", "Drag the gauge"
-LIGHT, FADE = (
-    (0.4, 0.32),
-    0.75,
-)  # of the shape's bounds, from the upper left: where it is lightest, and how far it fades
-TONES = (0.0, 0.55, 1.0), (0.957, 0.667, 0.267)  # at shares of that
+# As the gradient in the page of studies: where the shape is lightest, and how far it fades, in sizes of its bounds from
+# their upper left corner; and gray values at shares of that.
+LIGHT, FADE = (0.4, 0.32), 0.75
+TONES = (0.0, 0.55, 1.0), (0.957, 0.667, 0.267)
 
 
 @dataclass(frozen=True)
@@ -67,7 +66,7 @@ class Practice:
     @property
     def _off(self):
         """Degrees."""
-        return gauges.degrees_between(self.normal, gauges.normal_of_example(self.place))
+        return gauges.angles(self.normal, gauges.normal_of_example(self.place))
 
     @property
     def words(self):

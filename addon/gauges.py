@@ -45,9 +45,9 @@ def dragged(offset, radius):
     return normal(math.asin(far) * STEEPEST / 90, math.atan2(offset[1], offset[0]))
 
 
-def degrees_between(a, b):
-    """Angle between two normals."""
-    return math.degrees(math.acos(min(1.0, max(-1.0, float(np.dot(a, b))))))
+def angles(a, b):
+    """Degrees between unit vectors (..., 3)."""
+    return np.degrees(np.arccos(np.clip((np.asarray(a) * b).sum(axis=-1), -1, 1)))
 
 
 def normal_of_example(place):

@@ -6,7 +6,7 @@ from command import addon_files
 
 _shared = addon_files.loaded("gauges")  # what sessions in Blender need, too
 STEEPEST, normal, ellipse, lines = _shared.STEEPEST, _shared.normal, _shared.ellipse, _shared.lines
-dragged, sets, EXAMPLE = _shared.dragged, _shared.sets, _shared.EXAMPLE
+dragged, sets, angles, EXAMPLE = _shared.dragged, _shared.sets, _shared.angles, _shared.EXAMPLE
 
 RADIUS = 20 / 768  # of a gauge's disc, of the picture's height
 STRING, SPACING = 15, 5 / 768  # gauges of a string, and between them, of the picture's height
@@ -35,8 +35,3 @@ def string(middle, degrees, size):
     along = np.array([np.cos(np.radians(degrees)), -np.sin(np.radians(degrees))])
     steps = np.arange(STRING) - (STRING - 1) / 2
     return np.multiply(middle, size) + SPACING * size[1] * steps[:, None] * along
-
-
-def angles(a, b):
-    """Degrees between unit vectors (..., 3)."""
-    return np.degrees(np.arccos(np.clip((np.asarray(a) * b).sum(axis=-1), -1, 1)))

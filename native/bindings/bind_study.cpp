@@ -110,16 +110,9 @@ void bind_nearness(py::module_& m) {
                 return dict_of(without_gil([&] { return nearness.at(tolerance); }));
             },
             py::arg("tolerance"), "As Bitmap.measures.")
-        .def(
-            "shares_within",
-            [](const study::Nearness& nearness, const std::vector<double>& distances) {
-                auto [of_a, of_b] = nearness.shares_within(distances);
-                return py::dict(py::arg("of_a") = to_numpy(std::move(of_a)),
-                                py::arg("of_b") = to_numpy(std::move(of_b)));
-            },
-            py::arg("distances"),
-            "{of_a, of_b}: for each of the distances [px] the shares of A's pixels that are that near to B, and of B's "
-            "to A.");
+        .def_property_readonly("pixels", &study::Nearness::pixels, "of both")
+        .def("shares_within", &study::Nearness::shares_within, NoGil(), py::arg("distances"),
+             "For each of the distances [px] the share of both drawings' pixels that are that near to the other one.");
 }
 
 GrayImage make_gray(const Bytes& values) {

@@ -210,7 +210,7 @@ def test_a_practice_tells_how_far_off_gauges_are_and_ends_after_its_last_one():
         truth = gauges.normal_of_example(place)
         assert practice.place == place and not practice.is_good
         practice.turn(np.array((truth[1], -truth[0], truth[2])))
-        off = gauges.degrees_between(practice.normal, truth)
+        off = gauges.angles(practice.normal, truth)
         assert practice.words == f"Not yet: it is {off:.0f} degrees off" and off > 15
         practice.turn(truth)
         assert practice.is_good and practice.words == gauge_practice.GOOD

@@ -63,11 +63,12 @@ Measures Nearness::at(double tolerance) const {
     return found;
 }
 
-std::pair<Array<double>, Array<double>> Nearness::shares_within(const std::vector<double>& distances) const {
-    std::pair<Array<double>, Array<double>> shares;
+Array<double> Nearness::shares_within(const std::vector<double>& distances) const {
+    Array<double> shares;
     for (const double distance : distances) {
-        shares.first.push_back(share_within(of_a_, distance, 1.0));
-        shares.second.push_back(share_within(of_b_, distance, 1.0));
+        const double near = share_within(of_a_, distance, 0.0) * double(of_a_.size()) +
+                            share_within(of_b_, distance, 0.0) * double(of_b_.size());
+        shares.push_back(pixels() ? near / double(pixels()) : 1.0);
     }
     return shares;
 }

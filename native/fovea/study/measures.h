@@ -4,7 +4,6 @@
 
 #include <limits>
 #include <tuple>
-#include <utility>
 #include <vector>
 
 #include <fovea/study/bitmap.h>
@@ -56,8 +55,10 @@ class Nearness {
 
     /// `tolerance` [px]. An empty drawing has precision 1; recall of an empty drawing is 1.
     Measures at(double tolerance) const;
-    /// For each distance [px] the shares of A's pixels that are that near to B (first), and of B's to A.
-    std::pair<Array<double>, Array<double>> shares_within(const std::vector<double>& distances) const;
+    /// Pixels of both.
+    std::size_t pixels() const { return of_a_.size() + of_b_.size(); }
+    /// For each distance [px] the share of them that are that near to the other drawing; 1 of none.
+    Array<double> shares_within(const std::vector<double>& distances) const;
 
    private:
     Array<float> to_a_, to_b_;  // of all pixels
