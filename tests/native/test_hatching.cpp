@@ -16,7 +16,7 @@ namespace {
 
 using Given = std::vector<std::pair<std::string, ParameterValue>>;
 
-constexpr double from_camera = 0, from_world = 1, from_object = 2;
+constexpr double from_camera = 0, from_world = 1, from_object = 2, from_form = 3;
 constexpr double spacing = 7.0;
 
 /// Hatching of a scene by a camera, in its picture: reference pixels are pixels.
@@ -67,6 +67,7 @@ struct Hatched {
     /// Where a line crosses a way [px], and the sine of the angle between the two.
     struct Crossing {
         double along, sine;
+        dvec3 near;  // the start of the segment, in the world
     };
     /// Those of the way from a to b, from a on.
     std::vector<Crossing> crossings(const dvec2& a, const dvec2& b) const {
@@ -78,7 +79,7 @@ struct Hatched {
             if ((x < 0.0) == (y < 0.0)) return;
             const double along = glm::dot(glm::mix(from, to, x / (x - y)), way);
             if (along >= 0.0 && along <= glm::distance(a, b))
-                found.push_back({along, std::abs(x - y) / glm::distance(from, to)});
+                found.push_back({along, std::abs(x - y) / glm::distance(from, to), this->at(p, i)});
         });
         std::ranges::sort(found, {}, &Crossing::along);
         return found;
@@ -189,6 +190,37 @@ TEST(Hatching, OfANearerCameraHasAllLinesOfAFartherOneAndOthersBetween) {
         if (level > nearest.begin()->first && level < nearest.rbegin()->first) {
             EXPECT_TRUE(nearest.contains(level)) << level;
         }
+}
+
+TEST(Hatching, FollowsTheFormAtTheSpacingOfPaperHoweverNearTheCamera) {
+    for (const double distance : {20.0, 14.0, 10.0, 7.0, 5.0}) {
+        const Hatched found({place(cylinder(64))}, {}, perspective({distance, 0, 0}, {0, 0, 0}, 50.0, 800, 600),
+                            with(all_of_it, {{"planes", from_form}, {"angle", 0}}));
+        // Seen from the side its lines are level, and cross an upright way in its middle.
+        const double half = glm::distance(pixel_of(found.view, {1, 0, -1}), pixel_of(found.view, {1, 0, 1})) / 2.0;
+        auto at = found.crossings({400.0, 300.0 - 0.9 * half}, {400.0, 300.0 + 0.9 * half});
+        std::erase_if(at, [](const Hatched::Crossing& crossing) { return crossing.near.x < 0.0; });  // its back
+        ASSERT_GT(at.size(), std::size_t(1.8 * half / (2.0 * spacing))) << distance;
+        std::vector<double> apart;
+        for (std::size_t k = 0; k + 1 < at.size(); ++k) {
+            apart.push_back(at[k + 1].along - at[k].along);
+            EXPECT_GT(at[k].sine, 0.99);
+            EXPECT_LT(apart.back(), 3.0 * spacing) << distance;
+            EXPECT_GT(apart.back(), 0.38 * spacing) << distance;
+        }
+        std::ranges::sort(apart);
+        EXPECT_LT(apart[apart.size() / 2], 1.5 * spacing) << distance;
+        EXPECT_GT(apart[apart.size() / 2], spacing / 1.5) << distance;
+    }
+}
+
+TEST(Hatching, OfWhatHasNoFormToFollowIsThatOfTheObjectsPlanes) {
+    const auto lines = [](double planes) {
+        const Hatched found({place(box())}, {}, slanted_at(6.0), with(all_of_it, {{"planes", planes}}));
+        return std::pair(found.paths.points_obj, found.paths.rows.offsets);
+    };
+    EXPECT_GT(lines(from_object).first.size(), 100u);
+    EXPECT_EQ(lines(from_form), lines(from_object));
 }
 
 TEST(Hatching, OfASphereInTheSunEndsWhereItsToneIsReached) {

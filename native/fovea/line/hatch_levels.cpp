@@ -93,8 +93,6 @@ double HatchLevels::apart_px(const HatchFamily& family, const HatchSpot& spot) c
     return steep * most > -facing ? -facing / steep : most;
 }
 
-/// The lowest power of two whose multiples are as far apart as the spacing, or nearly so, where multiples of 1 are
-/// `apart` pixels apart.
 int HatchLevels::power_for(double apart) const {
     int power = 0;
     const double share = std::frexp(spacing_ * std::numbers::sqrt2 * 0.5 / apart, &power);

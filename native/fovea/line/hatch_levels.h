@@ -58,6 +58,9 @@ class HatchLevels {
 
     /// Length in space of a pixel at a point, where it is longest.
     double px_at(const dvec3& p) const;
+    /// The lowest power of two whose multiples are as far apart as the spacing, or nearly so, where multiples of 1 are
+    /// `apart` pixels apart.
+    int power_for(double apart) const;
     /// Pixels between levels that are 1 apart, as they lie on the surface there; negative beyond its contour.
     double apart_px(const HatchFamily& family, const HatchSpot& spot) const;
     /// Pixels between levels that are 1 apart from which on a level has lines: its power is that of the spacing, or
@@ -73,7 +76,6 @@ class HatchLevels {
     static constexpr int planes = 5;
     double distance_to(int plane, const dvec3& p) const;
     dvec2 sides_of_px(const dvec3& p) const { return per_px_ * (view_.orthographic ? 1.0 : -p.z); }
-    int power_for(double apart) const;
     double most_apart(const HatchFamily& family, const Polygon& polygon, const dvec3& normal, double low,
                       double high) const;
     void append(const HatchFamily& family, const Polygon& polygon, const dvec3& normal,

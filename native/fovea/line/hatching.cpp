@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Hatching: curves on surfaces where families of parallel planes cut them, over what is darker than a tone.
-// In   planes of the camera, the world or each object; tone (line/tone.h), interpolated normals
-// Out  on each triangle the levels of line/hatch_levels.h: so lines stay where they are while a camera approaches, and
+// In   planes of the camera, the world or each object, or curves that follow the form; tone (line/tone.h), interpolated
+// normals Out  on each triangle the levels of line/hatch_levels.h: so lines stay where they are while a camera
+// approaches, and
 //      others fade in between. Each is cut to where its power is called for, and to where the tone is below that of its
 //      family
 #include <algorithm>
@@ -11,16 +12,19 @@
 
 #include <fovea/base/elementary.h>
 #include <fovea/base/hash.h>
+#include <fovea/field/bend_directions.h>
 #include <fovea/field/corner_normals.h>
 #include <fovea/field/shape.h>
 #include <fovea/line/hatch_levels.h>
+#include <fovea/line/streamlines.h>
 #include <fovea/line/tone.h>
 #include <fovea/mesh/triangle_sides.h>
 
 namespace fovea::line {
 namespace {
 
-enum Planes { of_camera, of_world, of_object };
+/// What lines follow: planes of these, or the form itself.
+enum Planes { of_camera, of_world, of_object, of_form };
 
 struct Hatching {
     int planes, families;
@@ -48,8 +52,8 @@ const Parameters<Hatching> parameters{
      "Angle from the first direction to the second; the third halves what is left"},
     {&Hatching::tilt, "tilt", "Tilt", 30.0, 0.0, 80.0, Unit::degrees,
      "How far the planes lean towards the viewer: at 0 lines are straight, beyond it they follow the form"},
-    {&Hatching::planes, "planes", "Planes", 0, 0, 2,
-     "What the planes belong to: 0 the camera, 1 the world, 2 each object"},
+    {&Hatching::planes, "planes", "Planes", 0, 0, 3,
+     "What the planes belong to: 0 the camera, 1 the world, 2 each object; 3 none: lines follow the form as it bends"},
     {&Hatching::swell, "swell", "Swell", 0.0, 0.0, 1.0, Unit::none,
      "How much fainter lines are where they end in the light than in the dark"},
     {&Hatching::lights, "lights", "Lights", 4, 0, 64,
@@ -81,10 +85,15 @@ struct Middle {
     }
 };
 
+/// Direction of a family's lines [radians].
+double angle_of_family(const Hatching& values, int family) {
+    const double turned[3] = {0.0, values.turn, 0.5 * values.turn + 90.0};
+    return glm::radians(values.angle + turned[family]);
+}
+
 /// Normal of the planes of a family in their frame: right, up, towards the viewer.
 dvec3 normal_of(const Hatching& values, int family) {
-    const double turned[3] = {0.0, values.turn, 0.5 * values.turn + 90.0};
-    const double angle = glm::radians(values.angle + turned[family]), tilt = glm::radians(values.tilt);
+    const double angle = angle_of_family(values, family), tilt = glm::radians(values.tilt);
     return {-sine(angle) * cosine(tilt), cosine(angle) * cosine(tilt), sine(tilt)};
 }
 
@@ -97,6 +106,7 @@ HatchFamily family_of(const SurfaceView& seen, const Hatching& values, int numbe
         const dvec3 middle = seen.surface.cache().get<Middle>(0, [&] { return Middle(seen.surface); })->of;
         return {n, -glm::dot(n, dvec3(seen.object_to_view * dvec4(middle, 1.0))), values.tone(number), Index(number)};
     }
+    // Also of objects that have no form to follow.
     const dmat4 to_view = values.planes == of_world ? seen.tracer->view().world_to_view
                                                     : seen.object_to_view * dmat4(seen.surface.stretch());
     const dvec3 along = glm::transpose(glm::inverse(dmat3(to_view))) * dvec3(n.x, -n.z, n.y);
@@ -137,7 +147,6 @@ class Hatcher {
           spacing_(values.spacing * view_.reference_scale),
           levels_(view_, spacing_),
           step_px_(step_reference_px * view_.reference_scale) {
-        for (int f = 0; f < values.families; ++f) families_.push_back(family_of(seen, values, f));
         const Surface& surface = seen.surface;
         place_ = parallel_map<dvec3>(surface.vertex_count(), [&](std::size_t v) {
             return dvec3(seen.object_to_view * dvec4(dvec3(surface.positions[v]), 1.0));
@@ -147,6 +156,12 @@ class Hatcher {
         // A body is seen from outside, whole: the backs of its facets are not seen.
         if (!seen.tracer->scene().section && -center.z - radius > view_.near_clip)
             bodies_ = bodies_of(*seen.tracer->scene().placements[seen.placement].surface);
+        const bool follows_form = values.planes == of_form && field::bend_directions(seen.surface)->any;
+        for (int f = 0; f < values.families; ++f)
+            if (follows_form)
+                streams_.push_back(streamlines(seen.surface, angle_of_family(values, f), finest_power()));
+            else
+                families_.push_back(family_of(seen, values, f));
     }
 
     /// Whether all of the surface is no larger in the image than the spacing.
@@ -182,6 +197,9 @@ class Hatcher {
                 if (chord(family, triangle, corners, level.value, ends))
                     append_chord({family, triangle, level, ends}, out);
             }
+        for (std::size_t f = 0; f < streams_.size(); ++f)
+            for (const StreamChord& across : (*streams_[f])[triangle])
+                append_stream(Index(f), across, triangle, corners, out);
     }
 
    private:
@@ -195,6 +213,57 @@ class Hatcher {
         const std::array<End, 2>& ends;
         HatchSpot at(double t) const { return mix(ends[0].spot, ends[1].spot, t); }
     };
+
+    /// The power of two in units of the surface's space that is nearest to the spacing where a unit is largest.
+    int finest_power() const {
+        const double unit = glm::length(seen_.object_to_view[0]);
+        const auto& triangles = seen_.surface.triangles;
+        const auto parts =
+            parallel_parts<double>(triangles.size(), 4096, [&](double& least, std::size_t begin, std::size_t end) {
+                least = HUGE_VAL;
+                for (std::size_t i = begin; i < end; ++i) {
+                    int outside = ~0;
+                    for (int k = 0; k < 3; ++k) outside &= levels_.outcode(place_[triangles[i][k]]);
+                    for (int k = 0; k < 3 && !outside; ++k) {
+                        const dvec3& p = place_[triangles[i][k]];
+                        const double px = levels_.px_at({p.x, p.y, std::min(p.z, -view_.near_clip)});
+                        if (px < least) least = px;
+                    }
+                }
+            });
+        const double least = parts.empty() ? HUGE_VAL : *std::ranges::min_element(parts);
+        return std::isfinite(least) && unit > 0.0 ? levels_.power_for(unit / least) : 1000;
+    }
+
+    /// Appends a chord of a curve that follows the form. Across it lines of its family are as far apart as curves are.
+    void append_stream(Index family, const StreamChord& across, Index triangle, const HatchLevels::Corners& corners,
+                       Curves& out) const {
+        const Triangle& t = seen_.surface.triangles[triangle];
+        const auto& positions = seen_.surface.positions;
+        std::array<End, 2> ends;
+        for (const int k : {0, 1}) {
+            const dvec3 w(across.weight[k]);
+            if (across.side[k] < 0) {
+                const HatchSpot first = mix(corners[0], corners[1], w.y / std::max(w.x + w.y, 1e-30));
+                ends[k] = {mix(first, corners[2], w.z),
+                           w.x * dvec3(positions[t.x]) + w.y * dvec3(positions[t.y]) + w.z * dvec3(positions[t.z]),
+                           none};
+                continue;
+            }
+            const int from = across.side[k], to = (from + 1) % 3;
+            const bool ascends = t[from] < t[to];
+            const int a = ascends ? from : to, b = ascends ? to : from;
+            ends[k] = {mix(corners[a], corners[b], w[b]),
+                       glm::mix(dvec3(positions[t[a]]), dvec3(positions[t[b]]), w[b]),
+                       sides_->of_triangle[triangle][from]};
+        }
+        const dvec3 along = ends[1].in_surface - ends[0].in_surface,
+                    away = glm::cross(mesh::area_vector(positions, t), along);
+        const double length = glm::length(away);
+        if (!(length > 0.0) || !std::isfinite(length)) return;
+        const HatchFamily as_planes{normal_to_view_ * (away / length), 0.0, values_.tone(int(family)), family};
+        append_chord({as_planes, triangle, {double(across.curve), across.power}, ends}, out);
+    }
 
     bool hides_back(Index facet) const {
         const Surface& surface = *seen_.tracer->scene().placements[seen_.placement].surface;
@@ -368,7 +437,8 @@ class Hatcher {
     const HatchLevels levels_;
     const double step_px_;
     std::vector<HatchFamily> families_;
-    Array<dvec3> place_;  // of the vertices, in view space
+    std::vector<std::shared_ptr<const Streamlines>> streams_;  // per family, instead
+    Array<dvec3> place_;                                       // of the vertices, in view space
     std::shared_ptr<const Bodies> bodies_;
 };
 
