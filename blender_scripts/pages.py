@@ -219,12 +219,13 @@ def painted(name, path):
 
 def lit(name, path):
     """(H, W) drawings of a scene in a large sun's light, one over the other, supersampled by 2."""
-    return in_grays(reduce(np.minimum, (in_sun(shown, path) for shown in pages.LIGHT[name])))
+    model, *stages = pages.LIGHT[name]
+    return in_grays(reduce(np.minimum, (in_sun(model, shown, path) for shown in stages)))
 
 
-def in_sun(shown, path):
-    """(H, W) picture of the scene as a pages.Stage."""
-    open_model(pages.SHADOWS[0])
+def in_sun(model, shown, path):
+    """(H, W) picture of a scene as a pages.Stage."""
+    open_model(model)
     for light in bpy.data.lights:
         light.angle = 0.12
     picture.render(set_up(shown, pages.LIGHT_SIZE, path), path)

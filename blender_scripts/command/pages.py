@@ -189,13 +189,24 @@ PAINTED = {  # what pens take from surfaces -> its scene or model, and how that 
 LIGHT_SIZE = "360x270"
 SHADOWS = LESSON + "shadows", _seen(-40, 28)
 _BY_LIGHT = (*SHADOWS[1], "--style", "plain", "--lines", "contour,smooth_contour,crease,border,cast_shadow")
-LIGHT = {  # what light does -> drawings of one scene, one over the other
+_HATCHED = (
+    *_seen(25, 8),
+    *("--style", "plain", "--lines", "contour,smooth_contour,hatching", "--no-elision"),
+    *_params("hatching.spacing=13", "hatching.families=1", "hatching.light=0.9"),
+)
+LIGHT = {  # what light does -> a scene, and drawings of it, one over the other
     "weights": (
+        SHADOWS[0],
         Stage(_BY_LIGHT, {"set.light": "LIT", "pen.width": 4.0}),
         Stage(_BY_LIGHT, {"set.light": "SHADED", "pen.width": 9.0}),
     ),
-    "shadow": (Stage(_BY_LIGHT[:-2], {"pen.width": 5.0, "color.shading": "SMOOTH", "color.shadow": 1.0}),),
-    "blacks": (Stage((*SHADOWS[1], "--style", "comic", "--no-elision"), {"color.desaturation": 1.0}),),
+    "shadow": (SHADOWS[0], Stage(_BY_LIGHT[:-2], {"pen.width": 5.0, "color.shading": "SMOOTH", "color.shadow": 1.0})),
+    "blacks": (SHADOWS[0], Stage((*SHADOWS[1], "--style", "comic", "--no-elision"), {"color.desaturation": 1.0})),
+    "planes": (MONKEY[0], Stage(_HATCHED, {"pen.width": 2.8})),
+    "form": (
+        MONKEY[0],
+        Stage((*_HATCHED, *_params("hatching.planes=3", "hatching.angle=0")), {"pen.width": 2.8}),
+    ),
 }
 TRANSFERS = {  # plot -> members of a style's Transfer
     "straight": {},

@@ -16,6 +16,8 @@ STYLES = (
     "brush",
     "xray_focus",
     "engraving",
+    "etching",
+    "stipple",
     "ink_hatching",
     "comic",
 )

@@ -15,6 +15,8 @@ if(NOT APPLE)
     add_compile_options(-ffunction-sections -fdata-sections)
 endif()
 if(UNIX AND NOT APPLE)
+    # Nor are there tables for functions that no exception leaves: a twentieth of a module.
+    add_compile_options(-fno-asynchronous-unwind-tables -fno-unwind-tables)
     add_link_options(-Wl,--gc-sections) # the linker for Windows does so by itself
     # Nothing else is taken of the compiler's own library (the file says why, toolchain.py how).
     add_library(fovea_wide_integers STATIC ${CMAKE_CURRENT_LIST_DIR}/wide_integers.cpp)

@@ -93,25 +93,23 @@ Array<Bent> spread(const Graph& graph, const Array<Bent>& values) {
     Index count = 0;
     const Array<Index> cluster = clusters_of(graph, count);
     if (count > nodes / 2) return averaged(graph, values, most_nodes / nodes_per_time);
-    const Lists<Index> pairs = lists_of<Index>(count, [&](const auto& give) {
+    Lists<Index> pairs = lists_of<Index>(count, [&](const auto& give) {
         for (Index node = 0; node < nodes; ++node)
             for (const Index other : graph[node])
                 if (cluster[node] != cluster[other]) give(cluster[node], cluster[other]);
     });
-    std::vector<Array<Index>> unique(count);
-    parallel_for(count, [&](std::size_t c) {
-        unique[c].assign(pairs[Index(c)].begin(), pairs[Index(c)].end());
-        std::ranges::sort(unique[c]);
-        unique[c].erase(std::ranges::unique(unique[c]).begin(), unique[c].end());
-    });
-    const Graph coarse = lists_of<Index>(count, [&](const auto& give) {
-        for (Index c = 0; c < count; ++c)
-            for (const Index other : unique[c]) give(c, other);
-    });
+    Graph coarse;
+    for (Index c = 0; c < count; ++c) {
+        const std::span<Index> others = pairs[c];
+        std::ranges::sort(others);
+        coarse.values.insert(coarse.values.end(), others.begin(), std::ranges::unique(others).begin());
+        coarse.offsets.push_back(Index(coarse.values.size()));
+    }
     Array<Bent> sums(count, Bent{});
     for (Index node = 0; node < nodes; ++node) sums[cluster[node]] += values[node];
     const Array<Bent> found = spread(coarse, sums);
-    const auto back = parallel_map<Bent>(nodes, [&](std::size_t node) { return found[cluster[node]]; });
+    Array<Bent> back(nodes, Bent{});
+    for (Index node = 0; node < nodes; ++node) back[node] = found[cluster[node]];
     return averaged(graph, back, least_times);
 }
 
@@ -164,9 +162,8 @@ class Finder {
         for (Index node = 0; node < nodes_ && !found.any; ++node) found.any = is_clear(bent[node], unit(normal[node]));
         const auto of_node =
             parallel_map<vec3>(nodes_, [&](std::size_t node) { return direction(bent[node], unit(normal[node])); });
-        found.corner = parallel_map<std::array<vec3, 3>>(triangles_.size(), [&](std::size_t t) {
-            return std::array{of_node[node_[3 * t]], of_node[node_[3 * t + 1]], of_node[node_[3 * t + 2]]};
-        });
+        found.corner.resize(triangles_.size());
+        for (Index i = 0; i < node_.size(); ++i) found.corner[i / 3][i % 3] = of_node[node_[i]];
         return found;
     }
 

@@ -47,7 +47,8 @@ const Parameters<Hatching> parameters{
     {&Hatching::dark, "dark", "Dark Tone", 0.1, 0.0, 1.0, Unit::none,
      "Brightness below which there are lines of the third direction"},
     {&Hatching::angle, "angle", "Angle", 45.0, -90.0, 90.0, Unit::degrees,
-     "Direction of the lines on a surface that faces the viewer, from the horizontal"},
+     "Direction of the lines on a surface that faces the viewer, from the horizontal; along the form, from where it bends "
+     "most"},
     {&Hatching::turn, "turn", "Turn", 60.0, 10.0, 90.0, Unit::degrees,
      "Angle from the first direction to the second; the third halves what is left"},
     {&Hatching::tilt, "tilt", "Tilt", 30.0, 0.0, 80.0, Unit::degrees,
@@ -460,7 +461,7 @@ Curves find(const SurfaceView& seen, const Hatching& values) {
 extern const LineDefinition hatching = {
     .name = "hatching",
     .label = "Hatching",
-    .source = "Winkenbach & Salesin 1994; Hertzmann & Zorin 2000, section 5",
+    .source = "Winkenbach & Salesin 1994; Hertzmann & Zorin 2000, section 5; Jobard & Lefer 1997",
     .description = "Parallel curves over what lies in the dark, crossed where it is darker",
     .scope = Scope::scene,
     .importance = 0.05,
