@@ -202,7 +202,6 @@ LIGHT = {  # what light does -> a scene, and drawings of it, one over the other
     ),
     "shadow": (SHADOWS[0], Stage(_BY_LIGHT[:-2], {"pen.width": 5.0, "color.shading": "SMOOTH", "color.shadow": 1.0})),
     "blacks": (SHADOWS[0], Stage((*SHADOWS[1], "--style", "comic", "--no-elision"), {"color.desaturation": 1.0})),
-    "planes": (MONKEY[0], Stage(_HATCHED, {"pen.width": 2.8})),
     "form": (
         MONKEY[0],
         Stage((*_HATCHED, *_params("hatching.planes=3", "hatching.angle=0")), {"pen.width": 2.8}),

@@ -219,6 +219,11 @@ TEST(ByLight, CopiesHaveIdsAndSamplesOfTheirOwn) {
             samples += clipped.sample_count[i];
         }
     EXPECT_EQ(clipped.samples, samples);
+    for (Index q = 0; q < clipped.pieces.count(); ++q)
+        for (Index i = clipped.pieces.begin(q); i < clipped.pieces.end(q); ++i) {
+            EXPECT_GE(clipped.source[i], frame.paths->rows.begin(clipped.path[q]));
+            EXPECT_LT(clipped.source[i], frame.paths->rows.end(clipped.path[q]));
+        }
     EXPECT_TRUE(std::ranges::is_sorted(clipped.path));
     EXPECT_TRUE(std::ranges::is_sorted(frame.runs->piece));
 }

@@ -252,6 +252,10 @@ LitLines shared_out(LitLines lines, In<std::uint8_t> of_path, const std::vector<
     for (std::size_t k = 0; k < pieces.size(); ++k) {
         const Index piece = lines.clipped->pieces.count() + Index(k);
         clipped->path[piece] = path_of_piece[k];
+        const Index copy_begins = paths->rows.begin(path_of_piece[k]),
+                    begins = paths->rows.begin(lines.clipped->path[pieces[k]]);
+        for (Index i = clipped->pieces.begin(piece); i < clipped->pieces.end(piece); ++i)
+            clipped->source[i] += copy_begins - begins;
         take(pieces[k], piece, paths->line_set[path_of_piece[k]]);
     }
     out.paths = std::move(paths);

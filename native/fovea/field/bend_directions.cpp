@@ -16,6 +16,10 @@ const double least_cosine = cosine(glm::radians(40.0));
 /// one time for so many of them; and a few times on the way back to finer ones.
 constexpr Index most_nodes = 20'000, nodes_per_time = 440;
 constexpr int least_times = 2;
+/// Averages of directions, once chosen, take so much less.
+constexpr Index times_fewer = 4;
+/// Difference of principal curvatures, over their sum, from which on the greater one is meant wherever that leads.
+constexpr double strong = 0.5;
 /// Difference of principal curvatures, over the reciprocal of the surface's radius, that counts as much as the
 /// direction which stands in for unclear ones.
 constexpr double clear = 0.05;
@@ -85,14 +89,14 @@ Array<Index> clusters_of(const Graph& graph, Index& count) {
     return of_node;
 }
 
-/// Averages by way of coarser graphs, where there are more nodes than `most_nodes` and clusters to be made.
-Array<Bent> spread(const Graph& graph, const Array<Bent>& values) {
-    const Index nodes = graph.count();
-    const auto directly = [&] { return averaged(graph, values, std::max<Index>(nodes / nodes_per_time, least_times)); };
-    if (nodes <= most_nodes) return directly();
+/// Averages by way of coarser graphs, where there are more nodes than `most_nodes` and clusters to be made; as many
+/// times as fit, or so many times fewer.
+Array<Bent> spread(const Graph& graph, const Array<Bent>& values, Index fewer = 1) {
+    const Index nodes = graph.count(), per_time = nodes_per_time * fewer;
+    if (nodes <= most_nodes) return averaged(graph, values, std::max<Index>(nodes / per_time, least_times));
     Index count = 0;
     const Array<Index> cluster = clusters_of(graph, count);
-    if (count > nodes / 2) return averaged(graph, values, most_nodes / nodes_per_time);
+    if (count > nodes / 2) return averaged(graph, values, most_nodes / per_time);
     Lists<Index> pairs = lists_of<Index>(count, [&](const auto& give) {
         for (Index node = 0; node < nodes; ++node)
             for (const Index other : graph[node])
@@ -107,7 +111,7 @@ Array<Bent> spread(const Graph& graph, const Array<Bent>& values) {
     }
     Array<Bent> sums(count, Bent{});
     for (Index node = 0; node < nodes; ++node) sums[cluster[node]] += values[node];
-    const Array<Bent> found = spread(coarse, sums);
+    const Array<Bent> found = spread(coarse, sums, fewer);
     Array<Bent> back(nodes, Bent{});
     for (Index node = 0; node < nodes; ++node) back[node] = found[cluster[node]];
     return averaged(graph, back, least_times);
@@ -158,10 +162,12 @@ class Finder {
                 }
         });
         bent = spread(graph, bent);
+        for (dvec3& n : normal) n = unit(n);
         BendDirections found;
-        for (Index node = 0; node < nodes_ && !found.any; ++node) found.any = is_clear(bent[node], unit(normal[node]));
+        for (Index node = 0; node < nodes_ && !found.any; ++node) found.any = is_clear(bent[node], normal[node]);
+        if (found.any) bent = spread(graph, chosen(graph, bent, normal), times_fewer);
         const auto of_node =
-            parallel_map<vec3>(nodes_, [&](std::size_t node) { return direction(bent[node], unit(normal[node])); });
+            parallel_map<vec3>(nodes_, [&](std::size_t node) { return direction(bent[node], normal[node]); });
         found.corner.resize(triangles_.size());
         for (Index i = 0; i < node_.size(); ++i) found.corner[i / 3][i % 3] = of_node[node_[i]];
         return found;
@@ -224,6 +230,38 @@ class Finder {
         const auto [e1, e2, a, b, c] = form(of, n);
         const double least = unclear_ * of.area;
         return (a - c) * (a - c) + 4.0 * b * b > least * least;
+    }
+
+    /// Where bends differ little from direction to direction, as on the belly of a vase, either principal direction will
+    /// do: that which goes on from where they differ much. As bends in that direction alone.
+    Array<Bent> chosen(const Graph& graph, const Array<Bent>& bent, const Array<dvec3>& normal) const {
+        Array<dvec3> over(nodes_, dvec3(0.0));  // what it is folded over
+        Array<double> difference(nodes_, 0.0);
+        Array<Index> queue;
+        Array<std::uint8_t> reached(nodes_, 0);
+        for (Index node = 0; node < nodes_; ++node) {
+            const auto [e1, e2, a, b, c] = form(bent[node], normal[node]);
+            const double angle = 0.5 * angle_of(2.0 * b, a - c), half = std::sqrt(0.25 * (a - c) * (a - c) + b * b),
+                         mean = 0.5 * (a + c);
+            if (!std::isfinite(half + mean)) continue;
+            over[node] = cosine(angle) * e1 + sine(angle) * e2;
+            difference[node] = 2.0 * half;
+            if (difference[node] > strong * (std::abs(mean + half) + std::abs(mean - half)) &&
+                is_clear(bent[node], normal[node]))
+                queue.push_back(node), reached[node] = 1;
+        }
+        for (std::size_t next = 0; next < queue.size(); ++next)
+            for (const Index other : graph[queue[next]]) {
+                if (reached[other]) continue;
+                reached[other] = 1;
+                queue.push_back(other);
+                const dvec3 across = glm::cross(normal[other], over[other]), &from = over[queue[next]];
+                if (std::abs(glm::dot(across, from)) > std::abs(glm::dot(over[other], from))) over[other] = across;
+            }
+        Array<Bent> found(nodes_, Bent{});
+        for (Index node = 0; node < nodes_; ++node)
+            found[node] = {Tensor::of(over[node], difference[node]), bent[node].area};
+        return found;
     }
 
     /// Bends sum up along the edges that a surface is folded over, at right angles to which it bends.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <tbb/enumerable_thread_specific.h>
 
 namespace fovea::runs {
 namespace {
@@ -87,17 +88,31 @@ class Grid {
 Array<Touch> touches_of(const ClippedPaths& clipped, const Runs& runs, In<Place> places, In<Index> key,
                         double touch_px) {
     const Grid grid(places, touch_px, true);
+    /// The touch of a place by the run that was looked at last.
+    struct Last {
+        Index run = none;
+        std::size_t touch = 0;
+    };
+    tbb::enumerable_thread_specific<std::vector<Last>> of_thread([&] { return std::vector<Last>(places.size()); });
     Array<Touch> all =
-        parallel_collect<Touch>(runs.size(), runs_per_block, [&](std::size_t r, std::size_t last, auto& part) {
-            for (; r < last; ++r)
-                if (key[r] != none)
-                    grid.along(clipped, runs, r, key[r], [&](Index place, double distance, double arc) {
-                        part.push_back({place, Index(r), distance, arc});
-                    });
+        parallel_collect<Touch>(runs.size(), runs_per_block, [&](std::size_t r, std::size_t end, auto& part) {
+            std::vector<Last>& last = of_thread.local();
+            for (; r < end; ++r) {
+                if (key[r] == none) continue;
+                grid.along(clipped, runs, r, key[r], [&](Index place, double distance, double arc) {
+                    const Touch touch{place, Index(r), distance, arc};
+                    const auto [run, at] = last[place];
+                    // Of many segments that touch it, the nearest one.
+                    if (run == r) {
+                        part[at] = std::min(part[at], touch);
+                        return;
+                    }
+                    last[place] = {Index(r), part.size()};
+                    part.push_back(touch);
+                });
+            }
         });
     parallel_sort(all.begin(), all.end());
-    const auto same = [](const Touch& a, const Touch& b) { return a.place == b.place && a.run == b.run; };
-    all.erase(std::unique(all.begin(), all.end(), same), all.end());
     return all;
 }
 
