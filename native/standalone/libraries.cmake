@@ -71,6 +71,8 @@ file(GLOB files ${folder}/opensubdiv/far/*.cpp ${folder}/opensubdiv/sdc/*.cpp ${
 list(FILTER files EXCLUDE REGEX "test|regression")
 fovea_static(opensubdiv ${files})
 target_include_directories(opensubdiv SYSTEM PUBLIC ${folder})
+# Topology is refined once for a mesh; what is evaluated for each frame is Fovea's own. A fiftieth of a module.
+target_compile_options(opensubdiv PRIVATE $<$<CONFIG:Release>:-Os>)
 add_library(fovea::opensubdiv ALIAS opensubdiv)
 
 # OpenMesh

@@ -196,7 +196,9 @@ class Finder {
         }
     }
 
-    Index corner(Index triangle, Index vertex) const { return 3 * triangle + Index(corner_of(triangles_[triangle], vertex)); }
+    Index corner(Index triangle, Index vertex) const {
+        return 3 * triangle + Index(corner_of(triangles_[triangle], vertex));
+    }
     std::array<Index, 2> ends_of(Index side, Index triangle) const {
         const Edge& ends = sides_.vertices[side];
         return {node_[corner(triangle, ends.x)], node_[corner(triangle, ends.y)]};
@@ -232,8 +234,8 @@ class Finder {
         return (a - c) * (a - c) + 4.0 * b * b > least * least;
     }
 
-    /// Where bends differ little from direction to direction, as on the belly of a vase, either principal direction will
-    /// do: that which goes on from where they differ much. As bends in that direction alone.
+    /// Where bends differ little from direction to direction, as on the belly of a vase, either principal direction
+    /// will do: that which goes on from where they differ much. As bends in that direction alone.
     Array<Bent> chosen(const Graph& graph, const Array<Bent>& bent, const Array<dvec3>& normal) const {
         Array<dvec3> over(nodes_, dvec3(0.0));  // what it is folded over
         Array<double> difference(nodes_, 0.0);

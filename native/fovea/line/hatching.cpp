@@ -47,7 +47,8 @@ const Parameters<Hatching> parameters{
     {&Hatching::dark, "dark", "Dark Tone", 0.1, 0.0, 1.0, Unit::none,
      "Brightness below which there are lines of the third direction"},
     {&Hatching::angle, "angle", "Angle", 45.0, -90.0, 90.0, Unit::degrees,
-     "Direction of the lines on a surface that faces the viewer, from the horizontal; along the form, from where it bends "
+     "Direction of the lines on a surface that faces the viewer, from the horizontal; along the form, from where it "
+     "bends "
      "most"},
     {&Hatching::turn, "turn", "Turn", 60.0, 10.0, 90.0, Unit::degrees,
      "Angle from the first direction to the second; the third halves what is left"},

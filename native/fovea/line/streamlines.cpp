@@ -283,10 +283,11 @@ class Grower {
             // It has come in by the side that is opposite the corner without weight.
             const int opposite = place.weight.x == 0.0 ? 0 : place.weight.y == 0.0 ? 1 : 2;
             if (free > 0.0)
-                curve.chords.push_back(
-                    {place.triangle,
-                     {curve.curve, power_, {vec3(place.weight), vec3(glm::mix(place.weight, to.weight, free))},
-                      {Side((opposite + 1) % 3), free == 1.0 ? side : Side(-1)}}});
+                curve.chords.push_back({place.triangle,
+                                        {curve.curve,
+                                         power_,
+                                         {vec3(place.weight), vec3(glm::mix(place.weight, to.weight, free))},
+                                         {Side((opposite + 1) % 3), free == 1.0 ? side : Side(-1)}}});
             length += free * glm::distance(from, end);
             curve.length += free * glm::distance(from, end);
             if (free < 1.0 || curve.closed) return;
@@ -318,8 +319,8 @@ class Grower {
             lengths[k] = free * way;
             curve.length += lengths[k];
         }
-        curve.chords.push_back({seed.triangle,
-                                {curve.curve, power_, {vec3(ends[0].weight), vec3(ends[1].weight)}, {sides[0], sides[1]}}});
+        curve.chords.push_back(
+            {seed.triangle, {curve.curve, power_, {vec3(ends[0].weight), vec3(ends[1].weight)}, {sides[0], sides[1]}}});
         if (sides[1] >= 0) grow(curve, ends[1], sides[1], along, lengths[1], 1.0);
         if (sides[0] >= 0 && !curve.closed) grow(curve, ends[0], sides[0], -along, lengths[0], -1.0);
         if (curve.length < least_length * apart_) {
