@@ -189,11 +189,6 @@ PAINTED = {  # what pens take from surfaces -> its scene or model, and how that 
 LIGHT_SIZE = "360x270"
 SHADOWS = LESSON + "shadows", _seen(-40, 28)
 _BY_LIGHT = (*SHADOWS[1], "--style", "plain", "--lines", "contour,smooth_contour,crease,border,cast_shadow")
-_HATCHED = (
-    *_seen(25, 8),
-    *("--style", "plain", "--lines", "contour,smooth_contour,hatching", "--no-elision"),
-    *_params("hatching.spacing=13", "hatching.families=1", "hatching.light=0.9"),
-)
 LIGHT = {  # what light does -> a scene, and drawings of it, one over the other
     "weights": (
         SHADOWS[0],
@@ -204,7 +199,14 @@ LIGHT = {  # what light does -> a scene, and drawings of it, one over the other
     "blacks": (SHADOWS[0], Stage((*SHADOWS[1], "--style", "comic", "--no-elision"), {"color.desaturation": 1.0})),
     "form": (
         MONKEY[0],
-        Stage((*_HATCHED, *_params("hatching.planes=3", "hatching.angle=0")), {"pen.width": 2.8}),
+        Stage(
+            (
+                *(*MONKEY[1], "--style", "plain", "--lines", "contour,smooth_contour,hatching", "--no-elision"),
+                *_params("hatching.spacing=13", "hatching.families=1", "hatching.light=0.9"),
+                *_params("hatching.planes=3", "hatching.angle=0"),
+            ),
+            {"pen.width": 2.8},
+        ),
     ),
 }
 TRANSFERS = {  # plot -> members of a style's Transfer

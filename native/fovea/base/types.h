@@ -2,6 +2,7 @@
 // Basic types: GLM vectors, indices, borrowed and owned arrays.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <memory>
@@ -26,6 +27,12 @@ using glm::vec4;
 
 /// Twice the signed area of the triangle (0, a, b): positive where b is counterclockwise of a.
 inline double cross(const dvec2& a, const dvec2& b) { return a.x * b.y - a.y * b.x; }
+
+/// Zero where a vector has no length, or no finite one.
+inline dvec3 unit_or_zero(const dvec3& v) {
+    const double length = glm::length(v);
+    return length > 0.0 && std::isfinite(length) ? v / length : dvec3(0.0);
+}
 
 /// Index of a vertex, edge, polygon, facet, path or sample; `none` means no such element.
 using Index = std::uint32_t;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fovea/base/disjoint_sets.h>
 #include <fovea/base/elementary.h>
 #include <fovea/base/parallel.h>
 #include <fovea/mesh/triangle_sides.h>
@@ -15,7 +16,7 @@ const double least_cosine = cosine(glm::radians(40.0));
 /// Bends are averaged over the same share of a surface's area, however fine it is: on a graph of at most so many nodes,
 /// one time for so many of them; and a few times on the way back to finer ones.
 constexpr Index most_nodes = 20'000, nodes_per_time = 440;
-constexpr int least_times = 2;
+constexpr Index least_times = 2;
 /// Averages of directions, once chosen, take so much less.
 constexpr Index times_fewer = 4;
 /// Difference of principal curvatures, over their sum, from which on the greater one is meant wherever that leads.
@@ -41,11 +42,6 @@ struct Tensor {
                rest.z * (a.z * b.x + a.x * b.z);
     }
 };
-
-dvec3 unit(const dvec3& v) {
-    const double length = glm::length(v);
-    return length > 0.0 && std::isfinite(length) ? v / length : dvec3(0.0);
-}
 
 /// What is averaged.
 struct Bent {
@@ -93,7 +89,7 @@ Array<Index> clusters_of(const Graph& graph, Index& count) {
 /// times as fit, or so many times fewer.
 Array<Bent> spread(const Graph& graph, const Array<Bent>& values, Index fewer = 1) {
     const Index nodes = graph.count(), per_time = nodes_per_time * fewer;
-    if (nodes <= most_nodes) return averaged(graph, values, std::max<Index>(nodes / per_time, least_times));
+    if (nodes <= most_nodes) return averaged(graph, values, std::max(nodes / per_time, least_times));
     Index count = 0;
     const Array<Index> cluster = clusters_of(graph, count);
     if (count > nodes / 2) return averaged(graph, values, most_nodes / per_time);
@@ -115,12 +111,6 @@ Array<Bent> spread(const Graph& graph, const Array<Bent>& values, Index fewer = 
     Array<Bent> back(nodes, Bent{});
     for (Index node = 0; node < nodes; ++node) back[node] = found[cluster[node]];
     return averaged(graph, back, least_times);
-}
-
-/// Root of an element of a forest in which each one's parent is not above it.
-Index root_of(Array<Index>& parent, Index i) {
-    while (parent[i] != i) i = parent[i] = parent[parent[i]];
-    return i;
 }
 
 class Finder {
@@ -145,15 +135,18 @@ class Finder {
     BendDirections find() const {
         Array<Bent> bent(nodes_, Bent{});
         Array<dvec3> normal(nodes_, dvec3(0.0));
-        for (Index t = 0; t < triangles_.size(); ++t)
+        for (Index t = 0; t < triangles_.size(); ++t) {
+            const dvec3 area = area_vector(positions_, triangles_[t]);
             for (int k = 0; k < 3; ++k) {
-                const dvec3 area = area_vector_of(triangles_[t]);
                 bent[node_[3 * t + k]].area += glm::length(area) / 6.0;
                 normal[node_[3 * t + k]] += area;
             }
-        for (Index side = 0; side < smooth_.size(); ++side)
-            if (smooth_[side])
-                for (const Index node : ends_of(side, at_sides_[side][0])) bent[node].bends += 0.5 * bend_at(side);
+        }
+        for (Index side = 0; side < smooth_.size(); ++side) {
+            if (!smooth_[side]) continue;
+            const Tensor bend = 0.5 * bend_at(side);
+            for (const Index node : ends_of(side, at_sides_[side][0])) bent[node].bends += bend;
+        }
         const Graph graph = lists_of<Index>(nodes_, [&](const auto& give) {
             for (Index side = 0; side < smooth_.size(); ++side)
                 for (const Index t : at_sides_[side].first(smooth_[side] ? 1 : at_sides_[side].size())) {
@@ -162,7 +155,7 @@ class Finder {
                 }
         });
         bent = spread(graph, bent);
-        for (dvec3& n : normal) n = unit(n);
+        for (dvec3& n : normal) n = unit_or_zero(n);
         BendDirections found;
         for (Index node = 0; node < nodes_ && !found.any; ++node) found.any = is_clear(bent[node], normal[node]);
         if (found.any) bent = spread(graph, chosen(graph, bent, normal), times_fewer);
@@ -175,24 +168,19 @@ class Finder {
 
    private:
     dvec3 at(Index v) const { return dvec3(positions_[v]); }
-    dvec3 area_vector_of(const Triangle& t) const { return glm::cross(at(t.y) - at(t.x), at(t.z) - at(t.x)); }
 
     /// Corners at a vertex whose triangles go on smoothly into one another are one node.
     void number_nodes() {
-        Array<Index> parent(3 * triangles_.size());
-        for (Index i = 0; i < parent.size(); ++i) parent[i] = i;
+        DisjointSets corners(3 * triangles_.size());
         for (Index side = 0; side < smooth_.size(); ++side) {
             if (!smooth_[side]) continue;
-            for (const Index v : {sides_.vertices[side].x, sides_.vertices[side].y}) {
-                const Index a = root_of(parent, corner(at_sides_[side][0], v)),
-                            b = root_of(parent, corner(at_sides_[side][1], v));
-                parent[std::max(a, b)] = std::min(a, b);
-            }
+            for (const Index v : {sides_.vertices[side].x, sides_.vertices[side].y})
+                corners.join(corner(at_sides_[side][0], v), corner(at_sides_[side][1], v));
         }
-        node_.resize(parent.size());
-        for (Index i = 0; i < parent.size(); ++i) {
-            const Index root = root_of(parent, i);
-            node_[i] = root == i ? nodes_++ : node_[root];
+        node_.resize(3 * triangles_.size());
+        for (Index i = 0; i < node_.size(); ++i) {
+            const Index first = corners.name(i);
+            node_[i] = first == i ? nodes_++ : node_[first];
         }
     }
 
@@ -211,9 +199,10 @@ class Finder {
         const Triangle& first = triangles_[here[0]];
         const bool forward = first[(corner_of(first, ends.x) + 1) % 3] == ends.y;
         const dvec3 along = (forward ? 1.0 : -1.0) * (at(ends.y) - at(ends.x));
-        const dvec3 turned = glm::cross(unit(area_vector_of(first)), unit(area_vector_of(triangles_[here[1]])));
+        const dvec3 turned = glm::cross(unit_or_zero(area_vector(positions_, first)),
+                                        unit_or_zero(area_vector(positions_, triangles_[here[1]])));
         const double weight = glm::dot(turned, along);
-        return std::isfinite(weight) ? Tensor::of(unit(along), weight) : Tensor{};
+        return std::isfinite(weight) ? Tensor::of(unit_or_zero(along), weight) : Tensor{};
     }
 
     /// A tensor in a tangent plane with axes e1, which stands in for unclear directions, and e2.
@@ -223,8 +212,9 @@ class Finder {
     };
 
     static Form form(const Bent& of, const dvec3& n) {
-        const dvec3 level = unit(glm::cross(dvec3(0, 0, 1), n)), around = level == dvec3(0.0) ? dvec3(1, 0, 0) : level;
-        const dvec3 e1 = unit(around - n * glm::dot(n, around)), e2 = glm::cross(n, e1);
+        const dvec3 level = unit_or_zero(glm::cross(dvec3(0, 0, 1), n)),
+                    around = level == dvec3(0.0) ? dvec3(1, 0, 0) : level;
+        const dvec3 e1 = unit_or_zero(around - n * glm::dot(n, around)), e2 = glm::cross(n, e1);
         return {e1, e2, of.bends(e1, e1), of.bends(e1, e2), of.bends(e2, e2)};
     }
 
@@ -293,10 +283,7 @@ bool goes_on(In<vec3> positions, const Triangle& one, const Triangle& other) {
         for (int l = 0; l < 3; ++l)
             if (one[k] == other[(l + 1) % 3] && one[(k + 1) % 3] == other[l]) ++shared;
     if (shared != 1) return false;
-    const auto normal = [&](const Triangle& t) {
-        const dvec3 p(positions[t.x]);
-        return unit(glm::cross(dvec3(positions[t.y]) - p, dvec3(positions[t.z]) - p));
-    };
+    const auto normal = [&](const Triangle& t) { return unit_or_zero(area_vector(positions, t)); };
     return glm::dot(normal(one), normal(other)) >= least_cosine;
 }
 

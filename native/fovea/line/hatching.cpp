@@ -158,12 +158,13 @@ class Hatcher {
         // A body is seen from outside, whole: the backs of its facets are not seen.
         if (!seen.tracer->scene().section && -center.z - radius > view_.near_clip)
             bodies_ = bodies_of(*seen.tracer->scene().placements[seen.placement].surface);
-        const bool follows_form = values.planes == of_form && field::bend_directions(seen.surface)->any;
-        for (int f = 0; f < values.families; ++f)
-            if (follows_form)
-                streams_.push_back(streamlines(seen.surface, angle_of_family(values, f), finest_power()));
-            else
-                families_.push_back(family_of(seen, values, f));
+        if (values.planes == of_form && field::bend_directions(seen.surface)->any) {
+            const int power = finest_power();
+            for (int f = 0; f < values.families; ++f)
+                streams_.push_back(streamlines(seen.surface, angle_of_family(values, f), power));
+            return;
+        }
+        for (int f = 0; f < values.families; ++f) families_.push_back(family_of(seen, values, f));
     }
 
     /// Whether all of the surface is no larger in the image than the spacing.
@@ -252,12 +253,8 @@ class Hatcher {
                            none};
                 continue;
             }
-            const int from = across.side[k], to = (from + 1) % 3;
-            const bool ascends = t[from] < t[to];
-            const int a = ascends ? from : to, b = ascends ? to : from;
-            ends[k] = {mix(corners[a], corners[b], w[b]),
-                       glm::mix(dvec3(positions[t[a]]), dvec3(positions[t[b]]), w[b]),
-                       sides_->of_triangle[triangle][from]};
+            const auto [a, b] = ascending(t, across.side[k]);
+            ends[k] = on_side(triangle, corners, across.side[k], w[b]);
         }
         const dvec3 along = ends[1].in_surface - ends[0].in_surface,
                     away = glm::cross(mesh::area_vector(positions, t), along);
@@ -265,6 +262,21 @@ class Hatcher {
         if (!(length > 0.0) || !std::isfinite(length)) return;
         const HatchFamily as_planes{normal_to_view_ * (away / length), 0.0, values_.tone(int(family)), family};
         append_chord({as_planes, triangle, {double(across.curve), across.power}, ends}, out);
+    }
+
+    /// The corners of a side, that of the lower vertex first.
+    static std::pair<int, int> ascending(const Triangle& t, int side) {
+        const int next = (side + 1) % 3;
+        return t[side] < t[next] ? std::pair(side, next) : std::pair(next, side);
+    }
+
+    /// The same point from both triangles at a side: a share of the way from its lower vertex.
+    End on_side(Index triangle, const HatchLevels::Corners& corners, int side, double share) const {
+        const Triangle& t = seen_.surface.triangles[triangle];
+        const auto& positions = seen_.surface.positions;
+        const auto [a, b] = ascending(t, side);
+        return {mix(corners[a], corners[b], share), glm::mix(dvec3(positions[t[a]]), dvec3(positions[t[b]]), share),
+                sides_->of_triangle[triangle][side]};
     }
 
     bool hides_back(Index facet) const {
@@ -284,14 +296,9 @@ class Hatcher {
         if (positive[0] == positive[1] && positive[1] == positive[2]) return false;
         const int alone = positive[0] == positive[1] ? 2 : positive[0] == positive[2] ? 1 : 0;
         for (const int k : {0, 1}) {
-            const int from = k == 0 ? alone : (alone + 2) % 3, to = (from + 1) % 3;
-            const bool ascends = t[from] < t[to];
-            const int a = ascends ? from : to, b = ascends ? to : from;
-            const double share = std::clamp(above[a] / (above[a] - above[b]), 0.0, 1.0);
-            const auto& positions = seen_.surface.positions;
-            ends[k] = {mix(corners[a], corners[b], share),
-                       glm::mix(dvec3(positions[t[a]]), dvec3(positions[t[b]]), share),
-                       sides_->of_triangle[triangle][from]};
+            const int side = k == 0 ? alone : (alone + 2) % 3;
+            const auto [a, b] = ascending(t, side);
+            ends[k] = on_side(triangle, corners, side, std::clamp(above[a] / (above[a] - above[b]), 0.0, 1.0));
         }
         return true;
     }

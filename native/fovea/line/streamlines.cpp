@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <deque>
 #include <unordered_map>
 
 #include <fovea/base/cancel.h>
@@ -126,13 +125,9 @@ class Grower {
     using Side = std::int8_t;
 
     dvec3 at(Index v) const { return dvec3(positions_[v]); }
-    dvec3 area_vector(const Triangle& t) const { return glm::cross(at(t.y) - at(t.x), at(t.z) - at(t.x)); }
+    dvec3 area_vector(const Triangle& t) const { return mesh::area_vector(positions_, t); }
     double area_of(Index triangle) const { return 0.5 * glm::length(area_vector(triangles_[triangle])); }
-    dvec3 normal_of(Index triangle) const {
-        const dvec3 n = area_vector(triangles_[triangle]);
-        const double length = glm::length(n);
-        return length > 0.0 && std::isfinite(length) ? n / length : dvec3(0.0);
-    }
+    dvec3 normal_of(Index triangle) const { return unit_or_zero(area_vector(triangles_[triangle])); }
     dvec3 at(const Place& place) const {
         const Triangle& t = triangles_[place.triangle];
         return place.weight.x * at(t.x) + place.weight.y * at(t.y) + place.weight.z * at(t.z);
@@ -198,11 +193,7 @@ class Grower {
         return true;
     }
 
-    static dvec3 flattened(const dvec3& along, const dvec3& n) {
-        const dvec3 flat = along - n * glm::dot(along, n);
-        const double length = glm::length(flat);
-        return length > 0.0 ? flat / length : dvec3(0.0);
-    }
+    static dvec3 flattened(const dvec3& along, const dvec3& n) { return unit_or_zero(along - n * glm::dot(along, n)); }
 
     /// Walks straight over the surface; false where that leads over a border or a fold.
     bool walk(Place& place, dvec3 along, double distance) const {

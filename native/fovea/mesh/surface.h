@@ -20,7 +20,7 @@ using Edge = glm::uvec2;
 inline int corner_of(const Triangle& t, Index vertex) { return t.x == vertex ? 0 : t.y == vertex ? 1 : 2; }
 
 /// Normal of a triangle, twice as long as its area is large.
-inline dvec3 area_vector(const Array<vec3>& positions, const Triangle& triangle) {
+inline dvec3 area_vector(In<vec3> positions, const Triangle& triangle) {
     const dvec3 p(positions[triangle.x]);
     return glm::cross(dvec3(positions[triangle.y]) - p, dvec3(positions[triangle.z]) - p);
 }

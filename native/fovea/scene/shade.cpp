@@ -39,11 +39,6 @@ double bend_along(const std::array<dvec3, 3>& corner, const std::array<dvec3, 3>
     return glm::dot(turn, way);
 }
 
-dvec3 unit_or_zero(const dvec3& v) {
-    const double length = glm::length(v);
-    return length > 0.0 ? v / length : dvec3(0.0);
-}
-
 /// The axis that is the most across a way.
 dvec3 least_axis(const dvec3& way) {
     const dvec3 size = glm::abs(way);

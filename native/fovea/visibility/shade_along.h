@@ -19,11 +19,6 @@ namespace fovea::visibility {
 /// Distance from an edge at which its faces are looked at, as a factor on how far rays begin above them.
 inline constexpr double beside_edge = 4.0;
 
-inline dvec3 unit_or_zero(const dvec3& v) {
-    const double length = glm::length(v);
-    return length > 0.0 ? v / length : dvec3(0.0);
-}
-
 /// Triangles of each facet of a surface.
 struct TrianglesOfFacets {
     Lists<Index> of;
