@@ -327,12 +327,16 @@ class style:
         @property
         def vanish(self) -> str: ...
         @property
+        def marks_frames(self) -> int: ...
+        @property
         def motion_blur(self) -> bool: ...
         @property
         def motion_samples(self) -> int: ...
         fields: ClassVar[tuple]
         def held(self, frame: int) -> int:
             """The frame whose drawing stands at a frame."""
+        def since_key(self, frame: int) -> int:
+            """How many frames before this one the last key of marks is."""
         def boil_drawing(self, frame: int) -> int:
             """The number of the boil's drawing at a frame, in its cycle."""
 
@@ -1381,14 +1385,16 @@ class Frame:
         overrides: Overrides | None=None,
         colors: ColorSources | None=None,
         near: Mapping[int, NearLines]={},
+        since_key: int=0,
         exposure: Exposure | None=None,
         files: Mapping[str, FileContent]={},
         cancel: Cancel | None=None,
         progress: Callable | None=None,
     ) -> None:
-        """near: {how many frames later another is: its NearLines}; exposure: an Exposure, whose ink is drawn in place
-        of the frame's own; files: {path as the style has it: FileContent}, others are missing; progress(share, stage)
-        is called before each stage."""
+        """near: {how many frames later another is: its NearLines}; since_key: how many frames earlier the last key of
+        marks is (Animation.since_key); exposure: an Exposure, whose ink is drawn in place of the frame's own; files:
+        {path as the style has it: FileContent}, others are missing; progress(share, stage) is called before each
+        stage."""
     def find(self) -> None: ...
     def see(self) -> None: ...
     def filter(self) -> None: ...
@@ -1399,8 +1405,8 @@ class Frame:
     def passes(self) -> dict[str, object]:
         """{name: pixels, or None}, of line_sets {name of the set: pixels}, of mattes [pixels]; they are handed over,
         once."""
-    def thins(self) -> bool: ...
-    def lasts(self) -> bool: ...
+    def answers(self) -> bool:
+        """Whether lines answer to frames near this one."""
     def found_lines(self) -> FoundLines: ...
     def take_over(self, same: FoundLines) -> None:
         """Takes over the FoundLines of a Frame of the same content (content_of), style, options and backend."""

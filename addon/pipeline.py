@@ -17,6 +17,7 @@ class Near:
     """What is known of the frames near one, and of that one, of an animation whose lines answer to them."""
 
     lines: dict  # {frame offset: native NearLines}
+    since_key: int = 0  # how many frames earlier the last key of marks is
     same: object = None  # native FoundLines of the frame itself; None: its lines are to be found
     keep: Callable | None = None  # called with its FoundLines when its picture is made
 
@@ -43,7 +44,7 @@ def frame(
     """A native Frame for a native Scene, a native View and a Style; no stage of it has run yet.
 
     `asked`: native Options. `notes`: native Overrides, per placement. `colors`: native ColorSources, needed if the
-    style has a color layer. `near`: a Near, needed if `frames_near` is above 0. `exposure`: a native Exposure, whose
+    style has a color layer. `near`: a Near, needed if there are `frames_near`. `exposure`: a native Exposure, whose
     ink it has in place of its own.
     `progress(share, stage)` is called before each stage, with the share done in [0, 1]. `cancel`: native Cancel."""
     core = native.load()
@@ -58,6 +59,7 @@ def frame(
             overrides=notes,
             colors=colors,
             near=near.lines if near else {},
+            since_key=near.since_key if near else 0,
             exposure=exposure,
             files=line_files.contents(chosen),
             cancel=cancel,
@@ -96,12 +98,16 @@ def draw(scene, view, chosen, backend, asked, near=None, also=None, **beside):
     return Image(**made.passes(), statistics=statistics)
 
 
-def frames_near(chosen, asked):
-    """Number of frames before and after a frame that its lines answer to, by elision or by visibility; 0 with the spine
-    test."""
+def frames_near(chosen, asked, frame):
+    """Offsets of the frames near a frame that its lines answer to, ascending: by elision, by visibility, and by the marks
+    of lines of the view, from the key before it to the one after it. None with the spine test."""
     if asked.visibility == "spine":
-        return 0
-    return max(chosen.elision.frames if chosen.elision.enabled else 0, chosen.animation.visibility_frames)
+        return ()
+    animation, elision = chosen.animation, chosen.elision
+    most = max(elision.frames if elision.enabled else 0, animation.visibility_frames)
+    since = animation.since_key(frame)
+    ahead = animation.marks_frames - since if since else 0
+    return tuple(away for away in range(-max(most, since), max(most, ahead) + 1) if away)
 
 
 @lru_cache(maxsize=1)

@@ -334,7 +334,8 @@ def moving(name, path):
         motions.build(name, pages.ANIMATION_FRAMES, SHARED)
         scene = bpy.context.scene
         scene.render.resolution_x, scene.render.resolution_y = pages.ANIMATION_SIZE
-        drawer, frames = drawers.Fovea(scene, anchor), []
+        marks = pages.MARKS_FRAMES.get(name, 0) if anchor == "path" else 0
+        drawer, frames = drawers.Fovea(scene, anchor, marks=marks), []
         drawer.lines(pages.ANIMATION[name])
         for k in range(scene.frame_start, scene.frame_end + 1):
             scene.frame_set(k)

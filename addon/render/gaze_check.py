@@ -125,7 +125,8 @@ class _Drawing:
 def _looked(context, work, tell):
     """work(_Drawing) of a final render of the context's view layer."""
     own = properties.style_of(context.scene)
-    chosen = own.replace(elision=own.elision.replace(frames=0), animation=own.animation.replace(visibility_frames=0))
+    still = own.animation.replace(visibility_frames=0, marks_frames=0)
+    chosen = own.replace(elision=own.elision.replace(frames=0), animation=still)
 
     def make(*arguments):
         return work(_Drawing(*arguments))

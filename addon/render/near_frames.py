@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Neighboring frames of the rendered one, for elision and visibility over frames.
+"""Neighboring frames of the rendered one, for elision, visibility and marks over frames.
 
 They are evaluated in the render's depsgraph, as engines do for motion blur, also outside the scene's frame range: so a
 frame rendered alone equals that of the animation (simulations must be baked). Final renders only.
@@ -58,10 +58,11 @@ class Frames:
             looked.used = kept.now()
         return looked
 
-    def leave(self, key, frames):
-        """Lets go those farther than so many frames from a key that are of the same scene, view layer and eye."""
+    def leave(self, key, first, last):
+        """Lets go those that are of the same scene, view layer and eye as a key, but not between these offsets in frames
+        from it."""
         for other in list(self.looked):
-            if other[:3] == key[:3] and abs(other[-1] - key[-1]) > frames:
+            if other[:3] == key[:3] and not first <= other[-1] - key[-1] <= last:
                 self.looked.pop(other, None)
 
     def clear(self):
@@ -72,14 +73,14 @@ _frames = Frames()
 _rendering = False  # whether a render is in progress, during which a scene changes by the frame alone
 
 
-def near(engine, depsgraph, frames, look):
-    """The Near of the frame that is rendered, of so many frames to each side. look() gives the Looked of the frame that
+def near(engine, depsgraph, offsets, look):
+    """The Near of the frame that is rendered, of the frames at these offsets, ascending. look() gives the Looked of the frame that
     the depsgraph is evaluated at. Left out are frames whose lines do not answer to others, and those with another
     active camera, which are beyond a cut."""
     lines, own = {}, _key(engine, depsgraph)
-    _frames.leave(own, frames)
+    _frames.leave(own, min(offsets[0], 0), max(offsets[-1], 0))
     with other_frames(engine, depsgraph.scene) as go:
-        for away in (away for away in range(-frames, frames + 1) if away):
+        for away in offsets:
             key = (*own[:-1], own[-1] + away)
             looked = _frames.get(key)
             if looked is None:

@@ -9,6 +9,7 @@ import logging
 import threading
 import time
 from contextlib import contextmanager
+from dataclasses import replace
 from functools import partial
 
 import numpy as np
@@ -169,16 +170,20 @@ def final(engine, depsgraph, make=draw, *, chosen=None, lines_alone=False, expos
 def lines_near(engine, depsgraph, styled, backend, options, cancel=None):
     """The pipeline.Near of a final render, for lines that answer to frames near it; else None. `styled(depsgraph)`: its
     Style, with the animated values of the frame that it is evaluated at."""
-    frames = pipeline.frames_near(styled(depsgraph), options)
+    chosen, frame = styled(depsgraph), depsgraph.scene.frame_current
+    offsets = pipeline.frames_near(chosen, options, frame)
+    if not offsets:
+        return None
     look = partial(_look, engine, depsgraph, styled, backend, options, cancel)
-    return near_frames.near(engine, depsgraph, frames, look) if frames else None
+    near = near_frames.near(engine, depsgraph, offsets, look)
+    return replace(near, since_key=chosen.animation.since_key(frame))
 
 
 def _look(engine, depsgraph, styled, backend, options, cancel):
     """The near_frames.Looked of the frame that a final render's depsgraph is evaluated at."""
     where = f"Frame {depsgraph.scene.frame_current}"
     content, frame = _frame_now(engine, depsgraph, styled, backend, options, cancel, where)
-    return near_frames.Looked(content, frame.found_lines() if frame.thins() or frame.lasts() else None)
+    return near_frames.Looked(content, frame.found_lines() if frame.answers() else None)
 
 
 def _moment(engine, depsgraph, styled, backend, options, cancel, near, number):

@@ -224,6 +224,7 @@ ANIMATION = {  # scene with motion -> the lines of its picture
     "zoom": ("crease", "border"),
     "walk": ("contour",),
 }
+MARKS_FRAMES = {"walk": 16}  # frames over which marks of lines of the view are handed on
 FOLLOWING_PEN = {"pen.width": 9.0, "pen.wobble": 14.0, "pen.wobble_length": 220.0}
 FOLLOWING = {  # what changes between drawings of a monkey -> settings of each frame of its picture
     "boil": [{"animation.boil": 1.0, "animation.boil_hold": 1}] * 4,

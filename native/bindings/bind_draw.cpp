@@ -62,7 +62,8 @@ using GivenFiles = std::map<std::string, std::shared_ptr<FileContent>>;
 std::shared_ptr<Frame> make_frame(std::shared_ptr<Scene> scene, const View& view, const style::Style& style,
                                   const Options& options, std::shared_ptr<Assets> assets,
                                   std::shared_ptr<Backend> backend, const OwningOverrides* overrides,
-                                  const ColorSources* colors, const Near& near, std::shared_ptr<Exposure> exposure,
+                                  const ColorSources* colors, const Near& near, int since_key,
+                                  std::shared_ptr<Exposure> exposure,
                                   const GivenFiles& files, std::shared_ptr<Cancel> cancel,
                                   const std::optional<py::function>& progress) {
     Job job{.scene = std::move(scene), .view = view, .style = style, .options = options};
@@ -71,6 +72,7 @@ std::shared_ptr<Frame> make_frame(std::shared_ptr<Scene> scene, const View& view
     job.backend = std::move(backend);
     if (colors) job.colors = *colors;
     job.near.assign(near.begin(), near.end());
+    job.since_key = since_key;
     job.exposure = std::move(exposure);
     job.files.insert(files.begin(), files.end());
     if (cancel) job.cancel = std::move(cancel);
@@ -203,9 +205,10 @@ void bind_steps(FrameClass& frame) {
             py::init(&make_frame), py::arg("scene"), py::arg("view"), py::arg("style"), py::kw_only(),
             py::arg("options") = Options(), py::arg("assets") = nullptr, py::arg("backend") = nullptr,
             py::arg("overrides") = nullptr, py::arg("colors") = nullptr, py::arg("near") = Near(),
-            py::arg("exposure") = nullptr, py::arg("files") = GivenFiles(), py::arg("cancel") = nullptr,
+            py::arg("since_key") = 0, py::arg("exposure") = nullptr, py::arg("files") = GivenFiles(), py::arg("cancel") = nullptr,
             py::arg("progress") = py::none(), py::keep_alive<1, 7>(), py::keep_alive<1, 8>(),
-            R"(near: {how many frames later another is: its NearLines}; exposure: an Exposure, whose ink is drawn in place of
+            R"(near: {how many frames later another is: its NearLines}; since_key: how many frames earlier the last key of marks
+is (Animation.since_key); exposure: an Exposure, whose ink is drawn in place of
 the frame's own; files: {path as the style has it: FileContent}, others are missing; progress(share, stage) is called before each stage.)")
         .def("find", &Frame::find, NoGil())
         .def("see", &Frame::see, NoGil())
@@ -218,8 +221,7 @@ the frame's own; files: {path as the style has it: FileContent}, others are miss
              "{name: pixels, or None}, of line_sets {name of the set: pixels}, of mattes [pixels]; they are handed "
              "over, "
              "once.")
-        .def("thins", &Frame::thins)
-        .def("lasts", &Frame::lasts)
+        .def("answers", &Frame::answers, "Whether lines answer to frames near this one.")
         .def(
             "found_lines", [](Frame& frame) { return mutable_pointer(frame.found_lines()); }, NoGil())
         .def("take_over", &Frame::take_over, NoGil(), py::arg("same"),

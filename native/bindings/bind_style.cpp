@@ -76,6 +76,8 @@ void bind_style(py::module_& parent) {
         .def("ranks", &style::Elision::ranks, "Whether something counts for the priority of lines.");
     bind_part<style::Animation>(m, "Animation", "How drawings follow each other in an animation.")
         .def("held", &style::Animation::held, py::arg("frame"), "The frame whose drawing stands at a frame.")
+        .def("since_key", &style::Animation::since_key, py::arg("frame"),
+             "How many frames before this one the last key of marks is.")
         .def("boil_drawing", &style::Animation::boil_drawing, py::arg("frame"),
              "The number of the boil's drawing at a frame, in its cycle.");
     bind_part<style::Effects>(m, "Effects", "What answers to focus.");

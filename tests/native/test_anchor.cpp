@@ -185,7 +185,7 @@ CenterLine placed(const wires::Wires& wires, const View& view, double window_px 
     EXPECT_EQ(clipped.pieces.count(), 1u);
     CenterLine line;
     cut(clipped, {}, 0, clipped.first_arc(0), clipped.last_arc(0), line);
-    PathAnchor(clipped, &wires.paths, 0, window_px).place(line);
+    PathAnchor(clipped, &wires.paths, nullptr, 0, window_px).place(line);
     return line;
 }
 

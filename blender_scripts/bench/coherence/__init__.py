@@ -28,7 +28,7 @@ MEASURES = (
     "pure", "changes_per_frame", "slide_median_px", "slide_p95_px", "stretch_median", "stretch_p95", "blinks_per_1000",
     "popping", "frame_s",
 )  # fmt: skip
-COLUMNS = ("scene", "renderer", "lines", "window", *MEASURES)
+COLUMNS = ("scene", "renderer", "lines", "window", "marks", *MEASURES)
 
 
 def parse(words):
@@ -40,6 +40,8 @@ def parse(words):
     add("--anchor", choices=ANCHORS, default="path", help="what Fovea's dashes are fixed to (path)")
     window = "frames to each side that visibility in Fovea answers to (0)"
     add("--window", type=frames_to_each_side, default=0, metavar="N", help=window)
+    marks = "frames over which Fovea's marks on lines of the view are handed on (0)"
+    add("--marks", type=frames_to_each_side, default=0, metavar="N", help=marks)
     add("--size", type=peers.frame_size, metavar="WxH", help="of the picture (960x540)")
     add("--frames", type=peers.count, metavar="N", help=f"of each scene, at least 2 ({FRAMES})")
     add("--pictures", type=Path, metavar="FOLDER", help="for strips of frames, and one row of pixels over time")
@@ -68,6 +70,7 @@ def main(words, blender, environment, shared: Path | None) -> int:
             asked = {
                 "scene": scene, "renderer": renderer, "lines": options.lines, "anchor": options.anchor,
                 "window": options.window if renderer == "fovea" else 0,
+                "marks": options.marks if renderer == "fovea" else 0,
                 "size": options.size, "frames": options.frames, "shared": str(shared or ""),
                 "pictures": str(options.pictures.absolute()) if options.pictures else "",
             }  # fmt: skip

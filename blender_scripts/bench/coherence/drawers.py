@@ -20,9 +20,10 @@ REFERENCE = 1080  # pixels of the height that a pen's width is given for
 
 
 class Fovea(renderers.Fovea):
-    def __init__(self, scene, anchor, window=0):
+    def __init__(self, scene, anchor, window=0, marks=0):
         super().__init__(scene)
-        self.anchor, self.window, self.kept, self.image = anchor, window, None, None
+        self.anchor, self.window, self.marks = anchor, window, marks
+        self.kept, self.image = None, None
 
     def lines(self, kinds):
         from bl_ext.user_default.fovea.style import style_data
@@ -31,7 +32,7 @@ class Fovea(renderers.Fovea):
         held = style_data.use(scene, "plain")
         style_data.choose_lines(held, kinds)
         held.elision.enabled = False
-        held.animation.visibility_frames = self.window
+        held.animation.visibility_frames, held.animation.marks_frames = self.window, self.marks
         for line_set in held.line_sets:
             line_set.kinds.crease_angle = renderers.CREASE
             pen = line_set.pen
@@ -135,7 +136,7 @@ def hashed(*arrays):
     return found.hexdigest()
 
 
-def make(name, scene, anchor, window):
+def make(name, scene, anchor, window, marks):
     if name == "fovea":
-        return Fovea(scene, anchor, window)
+        return Fovea(scene, anchor, window, marks)
     return {"line_art": LineArt, "freestyle": Freestyle}[name](scene)

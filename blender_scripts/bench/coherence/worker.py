@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Runs inside Blender for `fovea bench coherence`: blender -b -P worker.py -- JSON (scene, renderer, lines, anchor,
-window, size, frames, shared, pictures, out). Draws the frames of a scene with motion forwards, some of them backwards
+window, marks, size, frames, shared, pictures, out). Draws the frames of a scene with motion forwards, some of them backwards
 and in another order, and one alone in the scene built anew."""
 
 import json
@@ -110,7 +110,7 @@ def measured(asked, lines):
         name = f"{asked['scene']}-{lines}-{asked['renderer']}"
         pictures.write(drawn, asked["size"], Path(asked["pictures"]), name)
     return {
-        "scene": asked["scene"], "renderer": asked["renderer"], "lines": lines, "window": asked["window"],
+        "scene": asked["scene"], "renderer": asked["renderer"], "lines": lines, "window": asked["window"], "marks": asked["marks"],
         "pure": is_pure(asked, lines, drawer, traces), "frame_s": round(float(np.median(seconds)), 4),
         **steady.figures(),
     }  # fmt: skip
@@ -121,7 +121,7 @@ def built(asked, lines):
     motions.build(asked["scene"], asked["frames"], Path(asked["shared"]) if asked["shared"] else None)
     scene = bpy.context.scene
     scene.render.resolution_x, scene.render.resolution_y = asked["size"]
-    drawer = drawers.make(asked["renderer"], scene, asked["anchor"], asked["window"])
+    drawer = drawers.make(asked["renderer"], scene, asked["anchor"], asked["window"], asked["marks"])
     drawer.lines(coherence.LINES[lines])
     return drawer
 

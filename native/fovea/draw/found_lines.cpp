@@ -29,7 +29,8 @@ std::size_t FoundLines::bytes() const {
            bytes_of(*visible, Runs::columns) + bytes_of(*runs, Runs::columns) + bytes_of(samples) + bytes_of(focus) +
            bytes_of(distance) + bytes_of(shown) +
            (lines.shown ? bytes_of(lines.shown->places.samples) + bytes_of(lines.shown->places.parts) : 0) +
-           (lines.seen ? bytes_of(lines.seen->stretches.values) + bytes_of(lines.seen->parts) : 0);
+           (lines.seen ? bytes_of(lines.seen->stretches.values) + bytes_of(lines.seen->parts) : 0) +
+           (lines.of_view ? lines.of_view->bytes() : 0);
 }
 
 std::shared_ptr<const FoundLines> Frame::found_lines() {
@@ -43,6 +44,9 @@ std::shared_ptr<const FoundLines> Frame::found_lines() {
             elision::shown_lines(*clipped, *paths, *job.scene, *runs, found.shown, job.view.width, job.view.height));
     }
     if (lasts()) found.lines.seen = std::make_shared<SeenLines>(seen_lines(*clipped, *paths, *job.scene, with_halos()));
+    if (hands_on())
+        found.lines.of_view =
+            std::make_shared<ViewLines>(view_lines(*clipped, *paths, *job.scene, job.view, mark_lengths()));
     found_ = std::make_shared<FoundLines>(std::move(found));
     return found_;
 }

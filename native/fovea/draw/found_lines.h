@@ -11,6 +11,7 @@
 #include <fovea/elision/seen_in_time.h>
 #include <fovea/path/paths.h>
 #include <fovea/project/clipped_paths.h>
+#include <fovea/stroke/marks.h>
 #include <fovea/visibility/runs.h>
 
 namespace fovea::draw {
@@ -19,6 +20,7 @@ namespace fovea::draw {
 struct NearLines {
     std::shared_ptr<const ShownLines> shown;  ///< for elision over frames; null: nothing is elided
     std::shared_ptr<const SeenLines> seen;    ///< for visibility over frames; null: it is not
+    std::shared_ptr<const ViewLines> of_view;  ///< for marks over frames; null: they are not handed on
 };
 
 /// A neighboring frame: its offset in frames (negative: earlier), and its lines.

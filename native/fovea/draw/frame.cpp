@@ -198,6 +198,11 @@ void Frame::shape() {
         else
             std::tie(found, pen_of_run_) = outlined(found);
         drawn = std::make_shared<Runs>(std::move(found));
+        if (hands_on()) {
+            std::vector<ViewNear> near;
+            for (const auto& [away, lines] : job.near) near.emplace_back(away, lines.of_view);
+            marks_ = marks_in_time(found_lines()->lines.of_view, near, job.since_key, job.style.animation.marks_frames);
+        }
         pen_paints_ = PenPaints(pens.pens, *paths, *job.scene, job.overrides);
         strokes = std::make_shared<Strokes>(strokes_with(shown));
     });
@@ -240,6 +245,7 @@ Inking Frame::inking(In<float> opacity) const {
     Inking made{*clipped,          *drawn,    pen_of_run_,
                 paths->strength,   pens.pens, at_ends_.empty() ? samples : at_ends_,
                 emphasis(opacity), paths->id, paths.get()};
+    made.marks = &marks_;
     made.paints = pen_paints_.of_pens();
     const style::Animation& animation = job.style.animation;
     made.moment = {animation.boil, job.options.boil_drawing, animation.written, animation.vanish};
@@ -281,6 +287,21 @@ bool Frame::thins() const { return job.style.elision.enabled && !method_of(job.o
 
 bool Frame::lasts() const {
     return job.style.animation.visibility_frames > 0 && !method_of(job.options.visibility).in_strokes;
+}
+
+bool Frame::hands_on() const {
+    const auto anchored = [](const style::Pen& pen) { return pen.texture_anchor == style::Anchor::path; };
+    return job.style.animation.marks_frames > 0 && !method_of(job.options.visibility).in_strokes && job.assets &&
+           std::ranges::any_of(pens_in_order(job.style), anchored);
+}
+
+/// Per line set: length of the marks that its pen in focus fixes to paths [px]; 0: it fixes none.
+std::vector<double> Frame::mark_lengths() const {
+    const Pens all = pens_of(job.style, *job.assets, scale());
+    std::vector<double> lengths(job.style.line_sets.size());
+    for (std::size_t set = 0; set < lengths.size(); ++set)
+        if (is_anchored(all.pens[set])) lengths[set] = mark_length_px(all.pens[set]);
+    return lengths;
 }
 
 std::string Frame::visibility_in_words() const {

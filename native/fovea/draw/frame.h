@@ -49,7 +49,8 @@ struct Job {
     std::shared_ptr<const Assets> assets = {};
     std::shared_ptr<Backend> backend = {};
     std::optional<ColorSources> colors = {};        ///< none: no color layer, whatever the style says
-    std::vector<LinesNear> near = {};               ///< neighboring frames, for elision and visibility over them
+    std::vector<LinesNear> near = {};  ///< neighboring frames: for elision, visibility and marks over them
+    int since_key = 0;                 ///< how many frames before this one the last key of marks is (stroke/marks.h)
     std::shared_ptr<const Exposure> exposure = {};  ///< ink in place of the frame's own; null: sharp
     std::shared_ptr<const Cancel> cancel = std::make_shared<Cancel>();
     /// Called before each stage with the fraction done, in [0, 1], and the stage's name.
@@ -109,6 +110,10 @@ class Frame {
     bool thins() const;
     /// Whether visibility counts over frames: the style says so, and it is known before strokes are drawn.
     bool lasts() const;
+    /// Whether marks of lines of the view are handed on from frame to frame: the style says so, and a pen has some.
+    bool hands_on() const;
+    /// Whether lines answer to frames near this one.
+    bool answers() const { return thins() || lasts() || hands_on(); }
     /// Name of the method of visibility, and its quality, for reports.
     std::string visibility_in_words() const;
     /// What is found of this frame's lines, without neighboring frames. Runs the steps up to filter().
@@ -153,6 +158,7 @@ class Frame {
     Runs over_frames(Runs runs);
     Runs with_ends(const Runs& runs) const;
     std::pair<Runs, Array<Index>> outlined(const Runs& runs) const;
+    std::vector<double> mark_lengths() const;
     Array<float> left(float cut);
     Painted painted(const std::string& attribute) const;
     Array<float> focus_along_lines();
@@ -170,6 +176,7 @@ class Frame {
     std::vector<Owners> owners_;          // of lines, by shade; empty: no line set asks for light
     Array<std::uint8_t> owners_of_path_;  // index into owners_
     PenPaints pen_paints_;
+    Marks marks_;
     Step done_ = Step::none;
     double share_ = 0.0;
     Array<float> depth_;

@@ -11,18 +11,28 @@ namespace fovea::stroke {
 namespace {
 
 constexpr double step_px = 4.0;  // between points in which places are exact, as perspective bends them
+constexpr double least_scale = 1.0 / 64.0, most_scale = 64.0;  // of marks that are crushed or drawn out
 
 double noise_of_seed(const CenterPoint& point, double length_px, std::uint64_t seed) {
     if (!(point.whole_px > 0.0)) return two_octaves(point.arc / length_px, seed);
     const vec2 octave = formulas::Stroke{}.stroke_octave(float(point.whole_px), float(length_px));
-    const double along = point.along * octave.x;
-    return mixed_noises(two_octaves(0.5 * along, seed), two_octaves(along, seed), octave.y);
+    const auto at = [&](double place) {
+        const double along = place * octave.x;
+        return mixed_noises(two_octaves(0.5 * along, seed), two_octaves(along, seed), octave.y);
+    };
+    const double own = at(point.noise_along);
+    return point.next > 0.0 ? mixed_noises(own, at(point.next_along), point.next) : own;
 }
 
 }  // namespace
 
-PathAnchor::PathAnchor(const ClippedPaths& clipped, const Paths* paths, Index piece, double window_px)
-    : clipped_(clipped), paths_(paths), piece_(piece), window_px_(window_px) {
+PathAnchor::PathAnchor(const ClippedPaths& clipped, const Paths* paths, const Marks* marks, Index piece,
+                       double window_px)
+    : clipped_(clipped),
+      paths_(paths),
+      marks_(has_marks(marks, piece) ? marks : nullptr),
+      piece_(piece),
+      window_px_(window_px) {
     const Index path = clipped.path[piece];
     if (paths_ && !paths_->of_view[path]) rest_length_ = paths_->arc_obj[paths_->rows.end(path) - 1];
     if (!(rest_length_ > 0.0)) paths_ = nullptr;
@@ -30,7 +40,7 @@ PathAnchor::PathAnchor(const ClippedPaths& clipped, const Paths* paths, Index pi
 
 void PathAnchor::place(CenterLine& line) const {
     if (line.size() < 2) return;
-    if (paths_) insert_points(line, multiples(line, step_px));
+    if (paths_ || marks_) insert_points(line, multiples(line, step_px));
     for (CenterPoint& p : line) place(p);
 }
 
@@ -48,7 +58,12 @@ void PathAnchor::place(CenterPoint& point) const {
     const double whole_px = std::max(clipped_.path_length_px[piece_], 1.0);
     point.whole_px = whole_px;
     point.along = point.arc / whole_px;
-    if (!paths_) return;
+    if (marks_) return place_at_marks(point);
+    if (paths_) place_at_rest(point);
+    point.noise_along = point.along;
+}
+
+void PathAnchor::place_at_rest(CenterPoint& point) const {
     const double first = clipped_.first_arc(piece_), last = clipped_.last_arc(piece_);
     const double inside = std::clamp(point.arc, first, last);
     const double low = std::max(inside - 0.5 * window_px_, first), high = std::min(inside + 0.5 * window_px_, last);
@@ -56,6 +71,31 @@ void PathAnchor::place(CenterPoint& point) const {
     if (rest > 0.0) point.whole_px = (high - low) / rest * rest_length_;
     // Beyond the ends of its piece a line goes on as long as it was in the image.
     point.along = rest_at(inside) / rest_length_ - 0.5 + (point.arc - inside) / point.whole_px;
+}
+
+/// A value of the places of marks at an arc length; beyond the ends of its piece as at these.
+double PathAnchor::mark_at(In<double> values, double arc) const {
+    const Rows& rows = marks_->lines->rows;
+    const Index begin = rows.begin(piece_), steps = rows.size(piece_) - 1;
+    const double first = clipped_.first_arc(piece_), last = clipped_.last_arc(piece_);
+    const double place = std::clamp((arc - first) / (last - first), 0.0, 1.0) * steps;
+    const Index k = std::min(Index(place), steps - 1);
+    return glm::mix(values[begin + k], values[begin + k + 1], place - k);
+}
+
+void PathAnchor::place_at_marks(CenterPoint& point) const {
+    const double first = clipped_.first_arc(piece_), last = clipped_.last_arc(piece_);
+    const double inside = std::clamp(point.arc, first, last), period = marks_->lines->period[piece_];
+    const double low = std::max(inside - 0.5 * window_px_, first), high = std::min(inside + 0.5 * window_px_, last);
+    const double marked = mark_at(marks_->last, high) - mark_at(marks_->last, low);
+    point.way = marked < 0.0 ? -1.0 : 1.0;
+    point.whole_px = period * std::clamp((high - low) / std::max(std::abs(marked), 1e-9), least_scale, most_scale);
+    const double beyond = point.way * (point.arc - inside) / point.whole_px;
+    point.along = mark_at(marks_->at, inside) / period + beyond;
+    point.noise_along = mark_at(marks_->last, inside) / period + beyond;
+    if (!(marks_->share > 0.0)) return;
+    point.next = marks_->share;
+    point.next_along = mark_at(marks_->next, inside) / period + beyond;
 }
 
 double noise_along(const CenterPoint& point, double length_px, const Hand& hand) {

@@ -30,11 +30,15 @@ struct CenterPoint {
     /// Place on the whole path, from -.5 to .5, and how many pixels a path would have that is as large all along as it
     /// is here: for marks fixed to the path (anchor.h). 0: no marks are.
     double along = 0.0, whole_px = 0.0;
+    double way = 1.0;  ///< 1 where `along` ascends along the line, -1 where it descends
+    /// Places of noise, which has no period, and of the other one with which it is mixed, with the share of this.
+    double noise_along = 0.0, next_along = 0.0, next = 0.0;
 
     /// Moves its places along the line, which goes on as here.
     void go(double px) {
         arc += px;
-        if (whole_px > 0.0) along += px / whole_px;
+        if (!(whole_px > 0.0)) return;
+        for (double* const place : {&along, &noise_along, &next_along}) *place += way * px / whole_px;
     }
 };
 

@@ -15,7 +15,7 @@ constexpr double whole_error = 1e-3;  // px: tolerance for a run that covers its
 
 /// The pens of runs, and the places of strength.
 void check_pens(const Inking& inking) {
-    const auto& [clipped, runs, pen_of_run, strength, pens, visibility, emphasis, ids, paths, tolerance, paints,
+    const auto& [clipped, runs, pen_of_run, strength, pens, visibility, emphasis, ids, paths, marks, tolerance, paints,
                  moment] = inking;
     const std::size_t count = runs.size();
     check(runs.start_px.size() == count && runs.end_px.size() == count && runs.invisibility.size() == count,
@@ -46,11 +46,6 @@ void check_pens(const Inking& inking) {
     }
 }
 
-bool is_anchored(const Pen& pen) { return pen.look.texture_anchor == Anchor::path; }
-
-/// Length of the marks of a pen.
-double window_px(const Pen& pen) { return pen.texture == none ? pen.look.wobble_length : pen.texture_length_px; }
-
 /// Leaves what is written of a line: `share` of its whole path from the start, with what goes beyond its ends.
 void write(DrawnLine& drawn, double path_length_px, double share) {
     CenterLine& line = drawn.points;
@@ -75,6 +70,8 @@ void check_inking(const Inking& inking) {
           "paths: not those that were clipped");
     check(inking.visibility.empty() || inking.visibility.size() == clipped.samples,
           "visibility: one value per atlas sample expected");
+    check(!inking.marks || !inking.marks->lines || inking.marks->lines->rows.count() == clipped.pieces.count(),
+          "marks: not those of these pieces");
 }
 
 LineShaper::LineShaper(const Inking& inking) : inking_(inking) {
@@ -83,7 +80,7 @@ LineShaper::LineShaper(const Inking& inking) : inking_(inking) {
 }
 
 bool LineShaper::shape(Index run, DrawnLine& out) const {
-    const auto& [clipped, runs, pen_of_run, strength, pens, visibility, emphasis, ids, paths, tolerance, paints,
+    const auto& [clipped, runs, pen_of_run, strength, pens, visibility, emphasis, ids, paths, marks, tolerance, paints,
                  moment] = inking_;
     CenterLine& line = out.points;
     const Index piece = runs.piece[run], pen = pen_of_run[run];
@@ -106,11 +103,13 @@ bool LineShaper::shape(Index run, DrawnLine& out) const {
     emphasize(line, along);
     const Index path = clipped.path[piece];
     const style::Pen& look = pens[pen].look;
-    const std::uint64_t seed = (ids.empty() ? path : ids[path]) + static_cast<Index>(look.seed);
+    // Paths of the view are others in each frame: marks that are handed on begin at places of their own.
+    const std::uint64_t own_seed = has_marks(marks, piece) ? 0 : ids.empty() ? path : ids[path];
+    const std::uint64_t seed = own_seed + static_cast<Index>(look.seed);
     const Hand hand(seed, moment.boil, moment.boil_drawing);
     const Index away = pens[pen].away == none ? pen : pens[pen].away;
     if (is_anchored(pens[pen]) || is_anchored(pens[away]))
-        PathAnchor(clipped, paths, piece, window_px(pens[pen])).place(line);
+        PathAnchor(clipped, paths, marks, piece, mark_length_px(pens[pen])).place(line);
     wobble(line, float(look.wobble), float(look.wobble_length), hand);
     const int free = clipped.free_ends[piece];
     const PenPair pair{pens[pen], pens[away]};

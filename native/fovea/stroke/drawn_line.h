@@ -6,6 +6,7 @@
 #include <fovea/stroke/along.h>
 #include <fovea/stroke/emphasis.h>
 #include <fovea/stroke/fade.h>
+#include <fovea/stroke/marks.h>
 #include <fovea/stroke/vanish.h>
 #include <fovea/visibility/runs.h>
 
@@ -30,6 +31,7 @@ struct Inking {
     Emphasis emphasis = {};        ///< mixes each pen with its out-of-focus pen; what is left of lines
     In<std::uint64_t> ids = {};    ///< per path of Paths, seed of its wobble and noise; empty: the path's number
     const Paths* paths = nullptr;  ///< to which pens fix their marks; null: all paths change with the view
+    const Marks* marks = nullptr;  ///< of those that change with the view; null: by their arc length
     double tolerance_px = 0.1;     ///< of what is drawn beside the run, as `simplify` takes it
     In<PenPaint> paints = {};      ///< one per pen; empty: none takes anything of surfaces
     Moment moment = {};

@@ -150,7 +150,8 @@ class Strip {
                                .tint = 0.5f * (p.tint + q.tint),
                                .color = 0.5 * (p.color + q.color),
                                .along = 0.5 * (p.along + q.along),
-                               .whole_px = 0.5 * (p.whole_px + q.whole_px)};
+                               .whole_px = 0.5 * (p.whole_px + q.whole_px),
+                               .way = p.way};
         const CenterPoint& middle = merged && start ? p : merged && end ? q : mean;
         Corners split;
         if (glm::dot(a, b) > stretch_limit || (merged && (start || end))) {

@@ -26,6 +26,7 @@ struct Animation {
     double written = 1.0;
     int visibility_frames = 0;
     Vanish vanish = Vanish::fade;
+    int marks_frames = 0;
     bool motion_blur = false;
     int motion_samples = 8;
 
@@ -34,6 +35,8 @@ struct Animation {
     int held(int frame) const;
     /// The number of the boil's drawing at a frame, in its cycle; the first, 0, is drawn as without boil.
     int boil_drawing(int frame) const;
+    /// How many frames before this one the last key of marks is (stroke/marks.h): below `marks_frames`.
+    int since_key(int frame) const;
 
     static constexpr Domain frames = number(1, 1000, 12);
     static constexpr std::tuple fields{
@@ -56,6 +59,11 @@ struct Animation {
               number(0, 8, 8)},
         Field{"vanish", &Animation::vanish, "Come and Go",
               "What lines of meshes do that are seen for a part of that time"},
+        Field{"marks_frames", &Animation::marks_frames, "Marks Over Frames",
+              "For how many frames marks of lines of the view move with surfaces, such as dashes and grain of contours "
+              "that are fixed to paths, until they have gone over to others: renders look at so many frames around "
+              "one, a single one takes up to as many times as long, an animation little longer",
+              number(0, 64, 32)},
         Field{"motion_blur", &Animation::motion_blur, "Motion Blur of Lines",
               "Renders draw lines at several moments while the scene's shutter is open, and average them, where the "
               "scene has motion blur on, too: it takes up to as many times as long"},

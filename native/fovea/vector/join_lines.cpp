@@ -7,8 +7,8 @@
 #include <tuple>
 
 #include <fovea/base/cancel.h>
+#include <fovea/base/point_grid.h>
 #include <fovea/vector/fit_cubic.h>
-#include <fovea/vector/point_grid.h>
 
 namespace fovea::vector {
 namespace {

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include <fovea/base/cancel.h>
-#include <fovea/vector/point_grid.h>
+#include <fovea/base/point_grid.h>
 
 namespace fovea::vector {
 namespace {

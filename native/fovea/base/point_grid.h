@@ -8,7 +8,7 @@
 
 #include <fovea/base/types.h>
 
-namespace fovea::vector {
+namespace fovea::base {
 
 class PointGrid {
    public:
@@ -42,4 +42,4 @@ class PointGrid {
     std::unordered_map<std::uint64_t, std::vector<std::size_t>> cells_;  // never walked through: its order is nobody's
 };
 
-}  // namespace fovea::vector
+}  // namespace fovea::base

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fovea/stroke/view_lines.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <fovea/base/hash.h>
+#include <fovea/base/parallel.h>
+
+namespace fovea::stroke {
+namespace {
+
+constexpr double step = 4.0;        // reference pixels between places
+constexpr double cell = 8.0;        // of the grid, reference pixels
+constexpr std::uint64_t far = 509;  // periods by which lines may begin elsewhere
+
+/// Twice the normal of what lies on both sides of a place, object space; outward.
+dvec3 normal_at(const Surface& surface, Index place) {
+    if (!surface.is_edge(place))
+        return dvec3(vec3(surface.facet_plane[surface.triangle_facet[surface.triangle_at(place)]]));
+    dvec3 sum(0.0);
+    for (const mesh::EdgeSide side : surface.sides(place)) sum += dvec3(vec3(surface.facet_plane[side.facet()]));
+    return sum;
+}
+
+/// Shares of the corners of a triangle in the point of its plane nearest to `at`.
+std::array<double, 3> shares_of(const dvec3& a, const dvec3& b, const dvec3& c, const dvec3& at) {
+    const dvec3 ab = b - a, ac = c - a, normal = glm::cross(ab, ac);
+    const double square = glm::dot(normal, normal);
+    if (!(square > 0.0)) return {1.0, 0.0, 0.0};
+    const double second = glm::dot(glm::cross(at - a, ac), normal) / square;
+    const double third = glm::dot(glm::cross(ab, at - a), normal) / square;
+    return {1.0 - second - third, second, third};
+}
+
+class Finder {
+   public:
+    Finder(const ClippedPaths& clipped, const Paths& paths, const Scene& scene, const View& view, In<double> period)
+        : clipped_(clipped), paths_(paths), scene_(scene), view_(view), period_(period) {
+        for (Index q = 0; q < clipped.pieces.count(); ++q)
+            if (wanted(q)) number_.try_emplace(paths.placement[clipped.path[q]]);
+        std::vector<std::pair<std::uint64_t, Index>> order;
+        for (const auto& [placement, number] : number_) order.emplace_back(scene.placements[placement].id, placement);
+        std::ranges::sort(order);
+        for (const auto& [id, placement] : order) {
+            number_[placement] = Index(out.placed.size());
+            const Placement& of = scene.placements[placement];
+            ViewLines::Placed placed{id, view.world_to_view * of.object_to_world, {}};
+            if (!of.surface->rest().empty()) {
+                const auto begin = of.surface->positions.begin();
+                placed.positions.assign(begin, begin + of.surface->vertex_count());
+            }
+            out.placed.push_back(std::move(placed));
+        }
+    }
+
+    ViewLines out;
+
+    void find() {
+        const Index count = clipped_.pieces.count();
+        const double step_px = step * view_.reference_scale;
+        out.view = view_;
+        out.rows.offsets.assign(count, 0);
+        out.period.assign(count, 0.0);
+        out.closed.assign(clipped_.closed.begin(), clipped_.closed.end());
+        for (Index q = 0; q < count; ++q)
+            if (wanted(q)) {
+                out.rows.offsets[q] = 1 + Index(std::max(1.0, std::ceil(length_of(q) / step_px)));
+                out.period[q] = period_[paths_.line_set[clipped_.path[q]]];
+            }
+        counts_to_offsets(out.rows.offsets);
+        out.places.resize(out.rows.offsets.back());
+        parallel_for(count, 64, [&](std::size_t q) {
+            if (out.rows.size(Index(q)) > 0) find(Index(q));
+        });
+        out.grid = std::make_unique<PointGrid>(cell * view_.reference_scale);
+        for (std::size_t j = 0; j < out.places.size(); ++j) out.grid->add(out.places[j].px, j);
+    }
+
+   private:
+    double length_of(Index piece) const { return clipped_.last_arc(piece) - clipped_.first_arc(piece); }
+
+    bool wanted(Index piece) const {
+        const Index path = clipped_.path[piece];
+        const std::uint8_t of_view = paths_.of_view[path];
+        return of_view && of_view != path::makes_tone && paths_.placement[path] != none &&
+               period_[paths_.line_set[path]] > 0.0 && clipped_.pieces.size(piece) > 1 && length_of(piece) > 0.0 &&
+               std::isfinite(length_of(piece));
+    }
+
+    void find(Index piece) {
+        const Index path = clipped_.path[piece], placement = paths_.placement[path];
+        const Index placed = number_.at(placement), size = out.rows.size(piece);
+        const std::span<ViewLines::Place> places(out.places.data() + out.rows.begin(piece), size);
+        const dmat4 view_to_object = glm::inverse(out.placed[placed].object_to_view);
+        const double first = clipped_.first_arc(piece), length = length_of(piece);
+        for (Index k = 0; k < size; ++k) {
+            ViewLines::Place& place = places[k];
+            place.arc = k + 1 == size ? first + length : first + length * k / (size - 1);
+            place.piece = piece;
+            place.placed = placed;
+            locate(place, view_to_object);
+        }
+        for (Index k = 0; k < size; ++k) {
+            const dvec2 way = places[std::min(k + 1, size - 1)].px - places[k > 0 ? k - 1 : 0].px;
+            const double far = glm::length(way);
+            places[k].way = far > 0.0 ? way / far : dvec2(0.0);
+        }
+        const double period = out.period[piece];
+        const double whole = out.closed[piece] ? std::max(1.0, std::round(length / period)) * period / length : 1.0;
+        const double per_px = whole * side_of(piece, placed), begin = double(paths_.id[path] % far) * period;
+        for (ViewLines::Place& place : places) place.own = begin + per_px * place.arc;
+    }
+
+    void locate(ViewLines::Place& place, const dmat4& view_to_object) const {
+        const Index i = clipped_.segment_at(place.piece, place.arc), source = clipped_.source[i];
+        const double t = clipped_.share_at(i, place.arc);
+        const dvec3 a(clipped_.position_view[i]), b(clipped_.position_view[i + 1]);
+        const dvec3 position = glm::mix(a, b, clipped_.orthographic ? t : share_in_space(t, -a.z, -b.z));
+        place.px = glm::mix(dvec2(clipped_.px[i]), dvec2(clipped_.px[i + 1]), t);
+        place.depth = -position.z;
+        place.position = dvec3(view_to_object * dvec4(position, 1.0));
+        place.kinds = paths_.kinds[source];
+        const Array<vec3>& at = out.placed[place.placed].positions;
+        if (at.empty()) return;
+        const Surface& surface = *scene_.placements[paths_.placement[clipped_.path[place.piece]]].surface;
+        const Index on = paths_.place[source];
+        if (surface.is_edge(on)) {
+            const mesh::Edge edge = surface.edges[on];
+            const dvec3 from(at[edge.x]), way = dvec3(at[edge.y]) - from;
+            const double square = glm::dot(way, way);
+            const double share = square > 0.0 ? std::clamp(glm::dot(place.position - from, way) / square, 0.0, 1.0) : 0.0;
+            place.vertices = {edge.x, edge.y, edge.y};
+            place.shares = {1.0 - share, share, 0.0};
+        } else {
+            const mesh::Triangle& of = surface.triangles[surface.triangle_at(on)];
+            place.vertices = {of.x, of.y, of.z};
+            place.shares = shares_of(dvec3(at[of.x]), dvec3(at[of.y]), dvec3(at[of.z]), place.position);
+        }
+    }
+
+    /// 1 where the surface faces the right of most of a piece, else -1: however a path is chained, it is the same.
+    double side_of(Index piece, Index placed) const {
+        const Surface& surface = *scene_.placements[paths_.placement[clipped_.path[piece]]].surface;
+        const dmat3 normals = glm::transpose(glm::inverse(dmat3(out.placed[placed].object_to_view)));
+        double sum = 0.0;
+        for (Index i = clipped_.pieces.begin(piece); i + 1 < clipped_.pieces.end(piece); ++i) {
+            const dvec2 way(clipped_.px[i + 1] - clipped_.px[i]);
+            const dvec2 normal(unit_or_zero(normals * normal_at(surface, paths_.place[clipped_.source[i]])));
+            const double side = cross(normal, way);
+            if (std::isfinite(side)) sum += side;
+        }
+        return sum < 0.0 ? -1.0 : 1.0;
+    }
+
+    const ClippedPaths& clipped_;
+    const Paths& paths_;
+    const Scene& scene_;
+    const View& view_;
+    In<double> period_;
+    std::map<Index, Index> number_;  // of placements with such lines, among those placed
+};
+
+}  // namespace
+
+std::size_t ViewLines::bytes() const {
+    std::size_t sum = places.size() * (sizeof(Place) + sizeof(std::size_t)) + 13 * period.size();
+    for (const Placed& each : placed) sum += sizeof(Placed) + each.positions.size() * sizeof(vec3);
+    return sum;
+}
+
+ViewLines view_lines(const ClippedPaths& clipped, const Paths& paths, const Scene& scene, const View& view,
+                     In<double> period) {
+    Finder finder(clipped, paths, scene, view, period);
+    finder.find();
+    return std::move(finder.out);
+}
+
+}  // namespace fovea::stroke
