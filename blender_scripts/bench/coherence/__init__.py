@@ -23,6 +23,7 @@ RENDERERS = ("fovea", "freestyle", "line_art")
 LINES = {"mesh": ("crease", "border"), "view": ("contour",)}  # fixed to the mesh; of the view
 ANCHORS = ("screen", "path")
 FRAMES, QUICK_FRAMES = 16, 4
+MARKS = 16  # frames
 PERIOD = 18  # pixels of a dash and its gap
 MEASURES = (
     "pure", "changes_per_frame", "slide_median_px", "slide_p95_px", "stretch_median", "stretch_p95", "blinks_per_1000",
@@ -40,8 +41,8 @@ def parse(words):
     add("--anchor", choices=ANCHORS, default="path", help="what Fovea's dashes are fixed to (path)")
     window = "frames to each side that visibility in Fovea answers to (0)"
     add("--window", type=frames_to_each_side, default=0, metavar="N", help=window)
-    marks = "frames over which Fovea's marks on lines of the view are handed on (0)"
-    add("--marks", type=frames_to_each_side, default=0, metavar="N", help=marks)
+    marks = f"frames over which Fovea hands marks on lines of the view on ({MARKS}); 0: it does not"
+    add("--marks", type=frames_to_each_side, default=MARKS, metavar="N", help=marks)
     add("--size", type=peers.frame_size, metavar="WxH", help="of the picture (960x540)")
     add("--frames", type=peers.count, metavar="N", help=f"of each scene, at least 2 ({FRAMES})")
     add("--pictures", type=Path, metavar="FOLDER", help="for strips of frames, and one row of pixels over time")
@@ -70,7 +71,7 @@ def main(words, blender, environment, shared: Path | None) -> int:
             asked = {
                 "scene": scene, "renderer": renderer, "lines": options.lines, "anchor": options.anchor,
                 "window": options.window if renderer == "fovea" else 0,
-                "marks": options.marks if renderer == "fovea" else 0,
+                "marks": options.marks if renderer == "fovea" and options.anchor == "path" else 0,
                 "size": options.size, "frames": options.frames, "shared": str(shared or ""),
                 "pictures": str(options.pictures.absolute()) if options.pictures else "",
             }  # fmt: skip

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Runs inside Blender for `fovea bench coherence`: blender -b -P worker.py -- JSON (scene, renderer, lines, anchor,
-window, marks, size, frames, shared, pictures, out). Draws the frames of a scene with motion forwards, some of them backwards
-and in another order, and one alone in the scene built anew."""
+window, marks, size, frames, shared, pictures, out). Draws the frames of a scene with motion forwards, some of them
+backwards and in another order, and one alone in the scene built anew."""
 
 import json
 import sys
@@ -110,7 +110,8 @@ def measured(asked, lines):
         name = f"{asked['scene']}-{lines}-{asked['renderer']}"
         pictures.write(drawn, asked["size"], Path(asked["pictures"]), name)
     return {
-        "scene": asked["scene"], "renderer": asked["renderer"], "lines": lines, "window": asked["window"], "marks": asked["marks"],
+        "scene": asked["scene"], "renderer": asked["renderer"], "lines": lines,
+        "window": asked["window"], "marks": marks_of(asked, lines),
         "pure": is_pure(asked, lines, drawer, traces), "frame_s": round(float(np.median(seconds)), 4),
         **steady.figures(),
     }  # fmt: skip
@@ -121,9 +122,14 @@ def built(asked, lines):
     motions.build(asked["scene"], asked["frames"], Path(asked["shared"]) if asked["shared"] else None)
     scene = bpy.context.scene
     scene.render.resolution_x, scene.render.resolution_y = asked["size"]
-    drawer = drawers.make(asked["renderer"], scene, asked["anchor"], asked["window"], asked["marks"])
+    drawer = drawers.make(asked["renderer"], scene, asked["anchor"], asked["window"], marks_of(asked, lines))
     drawer.lines(coherence.LINES[lines])
     return drawer
+
+
+def marks_of(asked, lines):
+    """Frames over which marks are handed on: those of lines of the mesh need no others."""
+    return asked["marks"] if lines == "view" else 0
 
 
 def draw(drawer, frame):

@@ -14,9 +14,8 @@ constexpr double reach = 8.0;            // reference pixels from a moved point 
 constexpr double trusted = 4.0;          // reference pixels at which a place counts for 1 / e
 constexpr double same_way = 0.7;         // cosine between the directions of a line found again
 constexpr double same_depth = 0.05;      // of the distance from the eye
-constexpr double least_trust = 0.1;      // per place of a piece, on average: below, it is another line
-constexpr double stiff = 1e-3;           // how little a place gives in to its neighbors, where it has no value itself
-constexpr double no_place = 1e-9;        // trust
+constexpr double least_trust = 0.2;      // below it a place is nowhere
+constexpr double stiff = 0.02;           // how little a place gives in to its neighbors, where it has no value itself
 
 /// Where a place is on the lines of another frame.
 struct Found {
@@ -113,7 +112,7 @@ double slope_at(const ViewLines& lines, In<double> values, Index place) {
 void go_on(std::span<double> differences, In<double> trust, double period) {
     double last = 0.0;
     for (std::size_t k = 0; k < differences.size(); ++k) {
-        if (trust[k] < no_place) continue;
+        if (trust[k] == 0.0) continue;
         differences[k] = last + wrapped(differences[k] - last, period);
         last = differences[k];
     }
@@ -136,64 +135,49 @@ void fill(std::span<double> wanted, In<double> trust) {
     for (std::size_t k = n - 1; k-- > 0;) wanted[k] = (right[k] + stiff * wanted[k + 1]) / diagonal[k];
 }
 
+Array<double> own_of(const ViewLines& lines) {
+    return parallel_map<double>(lines.places.size(), [&](std::size_t j) { return lines.places[j].own; });
+}
+
 /// Values of the places of `now`, handed on from those of another frame; those of its own on lines that are not there.
 Array<double> handed_on(const ViewLines& now, const Array<Found>& found, const ViewLines& there, In<double> values) {
+    const Array<double> own = own_of(now);
     Array<double> made(now.places.size());
     parallel_for(now.rows.count(), 64, [&](std::size_t q) {
         const Index begin = now.rows.begin(Index(q)), size = now.rows.size(Index(q));
         if (size == 0) return;
         const std::span<double> out(made.data() + begin, size);
         std::vector<double> trust(size);
-        double sum = 0.0, ascends = 0.0;
+        // Arc length that ascends where the values do; else, where its own do.
+        std::vector<double> along(size);
+        double sum = 0.0;
         for (Index k = 0; k < size; ++k) {
+            const double step = own[begin + k] - own[begin + std::max(k, Index(1)) - 1];
             const Found& at = found[begin + k];
-            if (at.place == none) continue;
-            const double slope = slope_at(there, values, at.place);
-            out[k] = values[at.place] + slope * at.beyond;
-            trust[k] = at.trust;
-            sum += at.trust;
-            ascends += at.trust * (at.same ? slope : -slope);
+            const bool counts = at.place != none && at.trust >= least_trust;
+            const double slope = counts ? slope_at(there, values, at.place) : 0.0;
+            const double ascent = at.same ? slope : -slope;
+            along[k] = (k > 0 ? along[k - 1] : own[begin]) + (counts ? std::copysign(step, ascent) : step);
+            out[k] = counts ? values[at.place] + slope * at.beyond - along[k] : 0.0;
+            sum += trust[k] = counts ? at.trust : 0.0;
         }
-        if (sum < least_trust * size) {
-            for (Index k = 0; k < size; ++k) out[k] = now.places[begin + k].own;
-            return;
+        if (sum > 0.0) {
+            go_on(out, trust, now.period[q]);
+            fill(out, trust);
         }
-        const double sign = ascends < 0.0 ? -1.0 : 1.0, period = now.period[q];
-        const auto along = [&](Index k) { return sign * now.places[begin + k].arc; };
-        // Values of all but a few places go on as the arc length does.
-        double first = 0.0;
-        for (Index k = 0; k < size; ++k) {
-            if (trust[k] < no_place) continue;
-            if (first == 0.0) first = out[k] - along(k);
-            out[k] -= along(k) + first;
-        }
-        go_on(out, trust, period);
-        for (Index k = 0; k < size; ++k)
-            if (trust[k] < no_place) out[k] = trust[k] = 0.0;
-        fill(out, trust);
-        for (Index k = 0; k < size; ++k) out[k] += along(k) + first;
-        if (!now.closed[q]) return;
-        const double open = wrapped(out[size - 1] - out[0], period);
+        for (Index k = 0; k < size; ++k) out[k] += along[k];
+        const double open = now.closed[q] ? wrapped(out[size - 1] - out[0], now.period[q]) : 0.0;
         for (Index k = 0; k < size; ++k) out[k] -= open * k / (size - 1);
     });
     return made;
-}
-
-Array<double> own_of(const ViewLines& lines) {
-    return parallel_map<double>(lines.places.size(), [&](std::size_t j) { return lines.places[j].own; });
-}
-
-bool ascends(const ViewLines& lines, In<double> values, Index piece) {
-    return values[lines.rows.end(piece) - 1] >= values[lines.rows.begin(piece)];
 }
 
 /// Marks that are at `last`, on the way to the nearest ones of those that are at `next`. Where they lie half a period
 /// apart, one of them comes or goes.
 Array<double> on_the_way(const ViewLines& lines, In<double> last, In<double> next, double share) {
     return parallel_map<double>(last.size(), [&](std::size_t j) {
-        const Index piece = lines.places[j].piece;
-        if (ascends(lines, last, piece) != ascends(lines, next, piece)) return share < 0.5 ? last[j] : next[j];
-        return last[j] + share * wrapped(next[j] - last[j], lines.period[piece]);
+        if (slope_at(lines, last, Index(j)) * slope_at(lines, next, Index(j)) < 0.0) return share < 0.5 ? last[j] : next[j];
+        return last[j] + share * wrapped(next[j] - last[j], lines.period[lines.places[j].piece]);
     });
 }
 

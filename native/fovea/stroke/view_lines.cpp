@@ -13,6 +13,8 @@ namespace {
 constexpr double step = 4.0;        // reference pixels between places
 constexpr double cell = 8.0;        // of the grid, reference pixels
 constexpr std::uint64_t far = 509;  // periods by which lines may begin elsewhere
+constexpr std::size_t around = 6;   // places to each side over which the side that the surface faces is averaged
+constexpr double clear = 0.3;       // sine of its angle to the line
 
 /// Twice the normal of what lies on both sides of a place, object space; outward.
 dvec3 normal_at(const Surface& surface, Index place) {
@@ -103,13 +105,19 @@ class Finder {
         }
         for (Index k = 0; k < size; ++k) {
             const dvec2 way = places[std::min(k + 1, size - 1)].px - places[k > 0 ? k - 1 : 0].px;
-            const double far = glm::length(way);
-            places[k].way = far > 0.0 ? way / far : dvec2(0.0);
+            const double length_px = glm::length(way);
+            places[k].way = length_px > 0.0 ? way / length_px : dvec2(0.0);
         }
         const double period = out.period[piece];
-        const double whole = out.closed[piece] ? std::max(1.0, std::round(length / period)) * period / length : 1.0;
-        const double per_px = whole * side_of(piece, placed), begin = double(paths_.id[path] % far) * period;
-        for (ViewLines::Place& place : places) place.own = begin + per_px * place.arc;
+        double own = double(paths_.id[path] % far) * period;
+        const std::vector<double> ways = ways_of(places, placement);
+        for (Index k = 0; k < size; ++k) {
+            if (k > 0) own += ways[k] * (places[k].arc - places[k - 1].arc);
+            places[k].own = own;
+        }
+        if (!out.closed[piece]) return;
+        const double turn = own - places[0].own, missing = std::round(turn / period) * period - turn;
+        for (Index k = 0; k < size; ++k) places[k].own += missing * k / (size - 1);
     }
 
     void locate(ViewLines::Place& place, const dmat4& view_to_object) const {
@@ -139,18 +147,28 @@ class Finder {
         }
     }
 
-    /// 1 where the surface faces the right of most of a piece, else -1: however a path is chained, it is the same.
-    double side_of(Index piece, Index placed) const {
-        const Surface& surface = *scene_.placements[paths_.placement[clipped_.path[piece]]].surface;
-        const dmat3 normals = glm::transpose(glm::inverse(dmat3(out.placed[placed].object_to_view)));
-        double sum = 0.0;
-        for (Index i = clipped_.pieces.begin(piece); i + 1 < clipped_.pieces.end(piece); ++i) {
-            const dvec2 way(clipped_.px[i + 1] - clipped_.px[i]);
+    /// Per place: 1 where the surface faces the right of the line, else -1: however a path is chained, that is the same.
+    /// Where it faces along the line it is as before.
+    std::vector<double> ways_of(In<ViewLines::Place> places, Index placement) const {
+        const Surface& surface = *scene_.placements[placement].surface;
+        const dmat4& object_to_view = out.placed[places[0].placed].object_to_view;
+        const dmat3 normals = glm::transpose(glm::inverse(dmat3(object_to_view)));
+        std::vector<double> sums{0.0};  // of how much it does
+        for (const ViewLines::Place& place : places) {
+            const Index i = clipped_.segment_at(place.piece, place.arc);
             const dvec2 normal(unit_or_zero(normals * normal_at(surface, paths_.place[clipped_.source[i]])));
-            const double side = cross(normal, way);
-            if (std::isfinite(side)) sum += side;
+            const double side = cross(normal, place.way);
+            sums.push_back(sums.back() + (std::isfinite(side) ? side : 0.0));
         }
-        return sum < 0.0 ? -1.0 : 1.0;
+        const std::size_t size = places.size();
+        double way = sums.back() < 0.0 ? -1.0 : 1.0;
+        std::vector<double> ways(size);
+        for (std::size_t k = 0; k < size; ++k) {
+            const std::size_t begin = std::max(k, around) - around, end = std::min(k + around + 1, size);
+            if (-way * (sums[end] - sums[begin]) > clear * double(end - begin)) way = -way;
+            ways[k] = way;
+        }
+        return ways;
     }
 
     const ClippedPaths& clipped_;

@@ -35,8 +35,7 @@ struct ViewLines {
     std::vector<Placed> placed;  ///< ascending by id
     Rows rows;                   ///< per piece of ClippedPaths: its places in order; none of other lines
     /// Place::own is where marks are in a frame that knows no others, in pixels along the line: a closed one has whole
-    /// periods. It ascends along the line where what the line bounds is on its left, and is no more alike on two lines
-    /// than on two places of one.
+    /// periods. It ascends where the surface faces the right of the line, else it descends, and begins elsewhere on each.
     Array<Place> places;
     Array<double> period;             ///< per piece: length of its marks [px]
     Array<std::uint8_t> closed;       ///< per piece
