@@ -16,7 +16,7 @@ FOLDER = Path(__file__).parent  # contains the bundled textures and papers
 class Near:
     """What is known of the frames near one, and of that one, of an animation whose lines answer to them."""
 
-    lines: dict  # {frame offset: native NearLines}
+    lines: dict  # {frame offset: native NearLines}; at 0 those of the frame whose moment is drawn
     since_key: int = 0  # how many frames earlier the last key of marks is
     same: object = None  # native FoundLines of the frame itself; None: its lines are to be found
     keep: Callable | None = None  # called with its FoundLines when its picture is made
@@ -98,16 +98,18 @@ def draw(scene, view, chosen, backend, asked, near=None, also=None, **beside):
     return Image(**made.passes(), statistics=statistics)
 
 
-def frames_near(chosen, asked, frame):
+def frames_near(chosen, asked, frame, moments=False):
     """Offsets of the frames near a frame that its lines answer to, ascending: by elision, by visibility, and by the marks
-    of lines of the view, from the key before it to the one after it. None with the spine test."""
+    of lines of the view, from the key before it to the one after it; of moments of the frame, which have its marks,
+    also 0. None with the spine test."""
     if asked.visibility == "spine":
         return ()
     animation, elision = chosen.animation, chosen.elision
     most = max(elision.frames if elision.enabled else 0, animation.visibility_frames)
     since = animation.since_key(frame)
     ahead = animation.marks_frames - since if since else 0
-    return tuple(away for away in range(-max(most, since), max(most, ahead) + 1) if away)
+    itself = moments and animation.marks_frames > 0
+    return tuple(away for away in range(-max(most, since), max(most, ahead) + 1) if away or itself)
 
 
 @lru_cache(maxsize=1)

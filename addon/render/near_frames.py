@@ -106,6 +106,7 @@ def changed(engine, depsgraph, content_now):
 def with_itself(engine, depsgraph, near, content_now):
     """A Near of the frame that is rendered and has not `changed`, also with what was found of the frame itself."""
     key = _key(engine, depsgraph)
+    near = replace(near, lines={away: lines for away, lines in near.lines.items() if away})
     if looked := _frames.get(key):
         return replace(near, same=looked.found)
     return replace(near, keep=lambda found: _keep(key, Looked(content_now, found)))

@@ -143,7 +143,7 @@ def final(engine, depsgraph, make=draw, *, chosen=None, lines_alone=False, expos
     exposed = exposed and motion_blur.is_on(depsgraph, animation)
 
     def read(chosen):
-        near, of_ink = lines_near(engine, depsgraph, styled, backend, options, cancel), {}
+        near, of_ink = lines_near(engine, depsgraph, styled, backend, options, cancel, moments=exposed), {}
         if exposed:
             look = partial(_moment, engine, depsgraph, styled, backend, drawn, cancel, near)
             of_ink["exposure"] = motion_blur.exposure(engine, depsgraph, animation.motion_samples, look)
@@ -167,11 +167,11 @@ def final(engine, depsgraph, make=draw, *, chosen=None, lines_alone=False, expos
             return None
 
 
-def lines_near(engine, depsgraph, styled, backend, options, cancel=None):
+def lines_near(engine, depsgraph, styled, backend, options, cancel=None, moments=False):
     """The pipeline.Near of a final render, for lines that answer to frames near it; else None. `styled(depsgraph)`: its
-    Style, with the animated values of the frame that it is evaluated at."""
+    Style, with the animated values of the frame that it is evaluated at. `moments`: moments of it are drawn with it."""
     chosen, frame = styled(depsgraph), depsgraph.scene.frame_current
-    offsets = pipeline.frames_near(chosen, options, frame)
+    offsets = pipeline.frames_near(chosen, options, frame, moments)
     if not offsets:
         return None
     look = partial(_look, engine, depsgraph, styled, backend, options, cancel)

@@ -28,9 +28,17 @@ TEST(Animation, WithoutBoilEveryDrawingIsTheFirst) {
     for (int frame = -5; frame < 5; ++frame) EXPECT_EQ(still.boil_drawing(frame), 0);
 }
 
+TEST(Animation, KeysOfMarksAreAsFarApartAsItSaysFromTheStartFrameOn) {
+    const Animation marks{.start_frame = 5, .marks_frames = 4};
+    for (int k = -5; k < 5; ++k)
+        for (int since = 0; since < 4; ++since) EXPECT_EQ(marks.since_key(5 + 4 * k + since), since);
+    EXPECT_EQ(Animation().since_key(7), 0);
+}
+
 TEST(Animation, StaysInAFile) {
     Style style;
-    style.animation = {.hold = 3, .boil = 0.25, .boil_hold = 4, .boil_cycle = 5, .start_frame = -7, .written = 0.5};
+    style.animation = {.hold = 3, .boil = 0.25, .boil_hold = 4, .boil_cycle = 5, .start_frame = -7, .written = 0.5,
+                       .marks_frames = 12};
     style.line_sets[0].pen.written = 0.75;
     EXPECT_EQ(read_style(write_style(style)), style);
 }

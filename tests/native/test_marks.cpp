@@ -155,6 +155,19 @@ TEST(Marks, BeginAtACutAndHoldWhatTheyAreTowardsOne) {
     EXPECT_LT(share_of(slides(at(1, 0, 3), towards), 0.5), 0.02);
 }
 
+TEST(Marks, OfAMomentAreThoseOfItsFrameWhichIsThenAmongTheNeighbors) {
+    const std::vector<Lines> frames = turning(5);
+    std::vector<ViewNear> near;
+    for (int i = 0; i < 5; ++i) near.emplace_back(i - 2, frames[i]);
+    const Marks still = marks_in_time(frames[2], near, 2, 4);
+    const Marks itself = marks_at(frames, 2, 4);
+    EXPECT_EQ(still.share, itself.share);
+    for (std::size_t j = 0; j < still.at.size(); ++j) ASSERT_NEAR(wrapped(still.at[j] - itself.at[j]), 0.0, 0.3);
+    const Lines later = lines_of({place(bumps(), dmat4(1.0), 7)}, orbit(10 + 0.25 * 2.1));
+    const std::vector<double> found = slides(itself, marks_in_time(later, near, 2, 4));
+    EXPECT_LT(share_of(found, 0.9), 0.1);
+}
+
 TEST(Marks, MoveWithASurfaceThatDeforms) {
     // A sheet that bends upwards, whose rest shape is another one.
     std::vector<Lines> frames;

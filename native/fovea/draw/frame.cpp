@@ -172,7 +172,7 @@ void Frame::thin() {
             const auto now = found_lines();
             std::vector<FrameNear> near;
             for (const auto& [away, lines] : job.near)
-                if (lines.shown && std::abs(away) <= elision.frames) near.emplace_back(away, lines.shown);
+                if (lines.shown && away != 0 && std::abs(away) <= elision.frames) near.emplace_back(away, lines.shown);
             shown = smoothed_in_time(now->shown, *now->lines.shown, near, elision.frames);
             leave_out_faint();
         });

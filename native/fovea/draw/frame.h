@@ -49,8 +49,9 @@ struct Job {
     std::shared_ptr<const Assets> assets = {};
     std::shared_ptr<Backend> backend = {};
     std::optional<ColorSources> colors = {};        ///< none: no color layer, whatever the style says
-    std::vector<LinesNear> near = {};  ///< neighboring frames: for elision, visibility and marks over them
-    int since_key = 0;                 ///< how many frames before this one the last key of marks is (stroke/marks.h)
+    /// Neighboring frames, for elision, visibility and marks over them; of a moment near a frame also this one, at 0.
+    std::vector<LinesNear> near = {};
+    int since_key = 0;  ///< how many frames before this one the last key of marks is (stroke/marks.h)
     std::shared_ptr<const Exposure> exposure = {};  ///< ink in place of the frame's own; null: sharp
     std::shared_ptr<const Cancel> cancel = std::make_shared<Cancel>();
     /// Called before each stage with the fraction done, in [0, 1], and the stage's name.

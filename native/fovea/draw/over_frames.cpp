@@ -21,7 +21,7 @@ Runs Frame::over_frames(Runs runs) {
     std::vector<SeenNear> near;
     std::vector<FrameNear> elided;
     for (const auto& [away, lines] : job.near) {
-        if (std::abs(away) > animation.visibility_frames) continue;
+        if (away == 0 || std::abs(away) > animation.visibility_frames) continue;
         if (lines.seen) near.emplace_back(away, lines.seen);
         if (lines.shown) elided.emplace_back(away, lines.shown);
     }

@@ -184,22 +184,24 @@ Array<double> on_the_way(const ViewLines& lines, In<double> last, In<double> nex
 }  // namespace
 
 Marks marks_in_time(std::shared_ptr<const ViewLines> now, In<ViewNear> near, int since_key, int frames) {
-    std::map<int, const ViewLines*> lines{{0, now.get()}};
+    std::map<int, const ViewLines*> lines;
     for (const auto& [away, of] : near)
-        if (away != 0 && of) lines.emplace(away, of.get());
+        if (of) lines.emplace(away, of.get());
+    const bool is_moment = !lines.emplace(0, now.get()).second;
     int first = 0, last = 0;
     while (first > -since_key && lines.contains(first - 1)) --first;
     while (last < frames - since_key && lines.contains(last + 1)) ++last;
-    const auto handed = [&](int k, int from, const Array<double>& values) {
-        const ViewLines &here = *lines[k], &there = *lines[from];
+    const auto handed = [](const ViewLines& here, const ViewLines& there, const Array<double>& values) {
         return handed_on(here, found_on(here, there), there, values);
     };
     Marks marks{now, {}, own_of(*lines[first]), {}, 0.0};
-    for (int k = first + 1; k <= 0; ++k) marks.last = handed(k, k - 1, marks.last);
+    for (int k = first + 1; k <= 0; ++k) marks.last = handed(*lines[k], *lines[k - 1], marks.last);
+    if (is_moment) marks.last = handed(*now, *lines[0], marks.last);
     marks.at = marks.last;
     if (first == 0 || last < frames - since_key) return marks;
     marks.next = own_of(*lines[last]);
-    for (int k = last - 1; k >= 0; --k) marks.next = handed(k, k + 1, marks.next);
+    for (int k = last - 1; k >= 0; --k) marks.next = handed(*lines[k], *lines[k + 1], marks.next);
+    if (is_moment) marks.next = handed(*now, *lines[0], marks.next);
     marks.share = double(-first) / (last - first);
     marks.at = on_the_way(*now, marks.last, marks.next, marks.share);
     return marks;

@@ -18,7 +18,7 @@ struct Marks {
     double share = 0.0;  ///< of the next key, in [0, 1)
 };
 
-/// A neighboring frame: its offset in frames (negative: earlier), and its lines.
+/// A neighboring frame: its offset in frames (negative: earlier), and its lines. Of a moment near a frame this is at 0.
 using ViewNear = std::pair<int, std::shared_ptr<const ViewLines>>;
 
 /// Marks of a frame that is `since_key` frames after a key, of keys that are `frames` apart. In a key marks are where
