@@ -99,9 +99,9 @@ def draw(scene, view, chosen, backend, asked, near=None, also=None, **beside):
 
 
 def frames_near(chosen, asked, frame, moments=False):
-    """Offsets of the frames near a frame that its lines answer to, ascending: by elision, by visibility, and by the marks
-    of lines of the view, from the key before it to the one after it; of moments of the frame, which have its marks,
-    also 0. None with the spine test."""
+    """Offsets of the frames near a frame that its lines answer to, ascending: by elision, by visibility, and by the
+    marks of lines of the view, from the key before it to the one after it; of moments of the frame, which have its
+    marks, also 0. None with the spine test."""
     if asked.visibility == "spine":
         return ()
     animation, elision = chosen.animation, chosen.elision

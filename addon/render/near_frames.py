@@ -59,8 +59,8 @@ class Frames:
         return looked
 
     def leave(self, key, first, last):
-        """Lets go those that are of the same scene, view layer and eye as a key, but not between these offsets in frames
-        from it."""
+        """Lets go those that are of the same scene, view layer and eye as a key, but not between these offsets in
+        frames from it."""
         for other in list(self.looked):
             if other[:3] == key[:3] and not first <= other[-1] - key[-1] <= last:
                 self.looked.pop(other, None)
@@ -74,9 +74,9 @@ _rendering = False  # whether a render is in progress, during which a scene chan
 
 
 def near(engine, depsgraph, offsets, look):
-    """The Near of the frame that is rendered, of the frames at these offsets, ascending. look() gives the Looked of the frame that
-    the depsgraph is evaluated at. Left out are frames whose lines do not answer to others, and those with another
-    active camera, which are beyond a cut."""
+    """The Near of the frame that is rendered, of the frames at these offsets, ascending. look() gives the Looked of the
+    frame that the depsgraph is evaluated at. Left out are frames whose lines do not answer to others, and those with
+    another active camera, which are beyond a cut."""
     lines, own = {}, _key(engine, depsgraph)
     _frames.leave(own, min(offsets[0], 0), max(offsets[-1], 0))
     with other_frames(engine, depsgraph.scene) as go:

@@ -146,5 +146,3 @@ def test_frames_around_it_are_asked_for_vectors_too(turning, tmp_path):
     finally:
         near_frames.near = near
     assert asked == [(-1, 1, 2)] and path.is_file()
-
-

@@ -37,7 +37,12 @@ TEST(Animation, KeysOfMarksAreAsFarApartAsItSaysFromTheStartFrameOn) {
 
 TEST(Animation, StaysInAFile) {
     Style style;
-    style.animation = {.hold = 3, .boil = 0.25, .boil_hold = 4, .boil_cycle = 5, .start_frame = -7, .written = 0.5,
+    style.animation = {.hold = 3,
+                       .boil = 0.25,
+                       .boil_hold = 4,
+                       .boil_cycle = 5,
+                       .start_frame = -7,
+                       .written = 0.5,
                        .marks_frames = 12};
     style.line_sets[0].pen.written = 0.75;
     EXPECT_EQ(read_style(write_style(style)), style);

@@ -17,8 +17,8 @@ constexpr double period = 18.0;
 using Lines = std::shared_ptr<const ViewLines>;
 
 meshes::Mesh bumps(double phase = 0.0) {
-    return meshes::relief(
-        90, [phase](double x, double y) { return 0.3 * std::sin(4 * x + 1) * std::cos(3 * y + phase); });
+    return meshes::relief(90,
+                          [phase](double x, double y) { return 0.3 * std::sin(4 * x + 1) * std::cos(3 * y + phase); });
 }
 
 Lines lines_of(const std::vector<Placement>& placements, const View& view,
@@ -81,7 +81,9 @@ std::vector<double> slides(const Marks& before, const Marks& after) {
     });
 }
 
-double share_of(const std::vector<double>& sorted, double share) { return sorted[std::size_t(share * (sorted.size() - 1))]; }
+double share_of(const std::vector<double>& sorted, double share) {
+    return sorted[std::size_t(share * (sorted.size() - 1))];
+}
 
 }  // namespace
 

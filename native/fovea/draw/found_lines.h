@@ -18,8 +18,8 @@ namespace fovea::draw {
 
 /// Lines of a frame as frames near it need them.
 struct NearLines {
-    std::shared_ptr<const ShownLines> shown;  ///< for elision over frames; null: nothing is elided
-    std::shared_ptr<const SeenLines> seen;    ///< for visibility over frames; null: it is not
+    std::shared_ptr<const ShownLines> shown;   ///< for elision over frames; null: nothing is elided
+    std::shared_ptr<const SeenLines> seen;     ///< for visibility over frames; null: it is not
     std::shared_ptr<const ViewLines> of_view;  ///< for marks over frames; null: they are not handed on
 };
 

@@ -48,7 +48,7 @@ struct Job {
     Files files = {};  ///< that definitions of the style are given, by its paths; what is missing finds no lines
     std::shared_ptr<const Assets> assets = {};
     std::shared_ptr<Backend> backend = {};
-    std::optional<ColorSources> colors = {};        ///< none: no color layer, whatever the style says
+    std::optional<ColorSources> colors = {};  ///< none: no color layer, whatever the style says
     /// Neighboring frames, for elision, visibility and marks over them; of a moment near a frame also this one, at 0.
     std::vector<LinesNear> near = {};
     int since_key = 0;  ///< how many frames before this one the last key of marks is (stroke/marks.h)

@@ -20,11 +20,22 @@ constexpr double tip_width = 0.2;
 
 CenterPoint mix(const CenterPoint& a, const CenterPoint& b, double t) {
     const float s = float(t);
-    return {glm::mix(a.px, b.px, t),           glm::mix(a.arc, b.arc, t),     glm::mix(a.half_width, b.half_width, s),
-            glm::mix(a.opacity, b.opacity, s), glm::mix(a.mix, b.mix, s),     glm::mix(a.shown, b.shown, s),
-            glm::mix(a.seen, b.seen, s),       glm::mix(a.tint, b.tint, s),   glm::mix(a.thinness, b.thinness, s),
-            glm::mix(a.color, b.color, t),     glm::mix(a.along, b.along, t), glm::mix(a.whole_px, b.whole_px, t),
-            a.way, glm::mix(a.noise_along, b.noise_along, t), glm::mix(a.next_along, b.next_along, t), a.next};
+    return {glm::mix(a.px, b.px, t),
+            glm::mix(a.arc, b.arc, t),
+            glm::mix(a.half_width, b.half_width, s),
+            glm::mix(a.opacity, b.opacity, s),
+            glm::mix(a.mix, b.mix, s),
+            glm::mix(a.shown, b.shown, s),
+            glm::mix(a.seen, b.seen, s),
+            glm::mix(a.tint, b.tint, s),
+            glm::mix(a.thinness, b.thinness, s),
+            glm::mix(a.color, b.color, t),
+            glm::mix(a.along, b.along, t),
+            glm::mix(a.whole_px, b.whole_px, t),
+            a.way,
+            glm::mix(a.noise_along, b.noise_along, t),
+            glm::mix(a.next_along, b.next_along, t),
+            a.next};
 }
 
 CenterPoint point_of(const ClippedPaths& clipped, In<float> strength, Index i) {

@@ -5,21 +5,22 @@
 #include <cmath>
 #include <map>
 
+#include <fovea/base/hash.h>
 #include <fovea/base/parallel.h>
 
 namespace fovea::stroke {
 namespace {
 
-constexpr double reach = 8.0;            // reference pixels from a moved point to its line
-constexpr double trusted = 4.0;          // reference pixels at which a place counts for 1 / e
-constexpr double same_way = 0.7;         // cosine between the directions of a line found again
-constexpr double same_depth = 0.05;      // of the distance from the eye
-constexpr double least_trust = 0.2;      // below it a place is nowhere
-constexpr double stiff = 0.02;           // how little a place gives in to its neighbors, where it has no value itself
+constexpr double reach = 8.0;        // reference pixels from a moved point to its line
+constexpr double trusted = 4.0;      // reference pixels at which a place counts for 1 / e
+constexpr double same_way = 0.7;     // cosine between the directions of a line found again
+constexpr double same_depth = 0.05;  // of the distance from the eye
+constexpr double least_trust = 0.2;  // below it a place is nowhere
+constexpr double stiff = 0.02;       // how little a place gives in to its neighbors, where it has no value itself
 
 /// Where a place is on the lines of another frame.
 struct Found {
-    Index place = none;  ///< the nearest one there
+    Index place = none;   ///< the nearest one there
     double beyond = 0.0;  ///< pixels from it along its line
     double trust = 0.0;
     bool same = true;  ///< whether both lines run the same way
@@ -76,7 +77,8 @@ Array<Found> found_on(const ViewLines& now, const ViewLines& there) {
         Found& best = found[j] = {};
         if (std::isnan(moved[j].depth)) return;
         const Index first = now.rows.begin(place.piece), last = now.rows.end(place.piece) - 1;
-        const Moved &before = moved[std::max<std::size_t>(j, first + 1) - 1], &after = moved[std::min<std::size_t>(j + 1, last)];
+        const Moved &before = moved[std::max<std::size_t>(j, first + 1) - 1],
+                    &after = moved[std::min<std::size_t>(j + 1, last)];
         const dvec2 across = after.px - before.px;
         const double length = glm::length(across);
         const dvec2 way = std::isnan(before.depth + after.depth) || length == 0.0 ? place.way : across / length;
@@ -176,9 +178,32 @@ Array<double> handed_on(const ViewLines& now, const Array<Found>& found, const V
 /// apart, one of them comes or goes.
 Array<double> on_the_way(const ViewLines& lines, In<double> last, In<double> next, double share) {
     return parallel_map<double>(last.size(), [&](std::size_t j) {
-        if (slope_at(lines, last, Index(j)) * slope_at(lines, next, Index(j)) < 0.0) return share < 0.5 ? last[j] : next[j];
+        if (slope_at(lines, last, Index(j)) * slope_at(lines, next, Index(j)) < 0.0)
+            return share < 0.5 ? last[j] : next[j];
         return last[j] + share * wrapped(next[j] - last[j], lines.period[lines.places[j].piece]);
     });
+}
+
+/// Values of the places of the frame at 0, handed on from a key at another offset, frame by frame; then to a moment of
+/// it, unless that is null. Each frame of the way keeps its own: the next frames ask for them again.
+template <typename AtFrame>
+Array<double> handed_along(const AtFrame& lines_at, int key, const ViewLines* moment) {
+    const ViewLines* here = lines_at(key);
+    auto values = std::make_shared<const Array<double>>(own_of(*here));
+    std::uint64_t chain = here->number;
+    while (key != 0) {
+        const ViewLines* const before = here;
+        key += key < 0 ? 1 : -1;
+        here = lines_at(key);
+        chain = hash_numbers(chain, here->number);
+        auto kept = here->handed_on->find(chain);
+        if (!kept) {
+            kept = std::make_shared<const Array<double>>(handed_on(*here, found_on(*here, *before), *before, *values));
+            here->handed_on->keep(chain, kept);
+        }
+        values = kept;
+    }
+    return moment ? handed_on(*moment, found_on(*moment, *here), *here, *values) : *values;
 }
 
 }  // namespace
@@ -191,17 +216,12 @@ Marks marks_in_time(std::shared_ptr<const ViewLines> now, In<ViewNear> near, int
     int first = 0, last = 0;
     while (first > -since_key && lines.contains(first - 1)) --first;
     while (last < frames - since_key && lines.contains(last + 1)) ++last;
-    const auto handed = [](const ViewLines& here, const ViewLines& there, const Array<double>& values) {
-        return handed_on(here, found_on(here, there), there, values);
-    };
-    Marks marks{now, {}, own_of(*lines[first]), {}, 0.0};
-    for (int k = first + 1; k <= 0; ++k) marks.last = handed(*lines[k], *lines[k - 1], marks.last);
-    if (is_moment) marks.last = handed(*now, *lines[0], marks.last);
+    Marks marks{now, {}, {}, {}, 0.0};
+    const auto at_frame = [&](int k) { return lines[k]; };
+    marks.last = handed_along(at_frame, first, is_moment ? now.get() : nullptr);
     marks.at = marks.last;
     if (first == 0 || last < frames - since_key) return marks;
-    marks.next = own_of(*lines[last]);
-    for (int k = last - 1; k >= 0; --k) marks.next = handed(*lines[k], *lines[k + 1], marks.next);
-    if (is_moment) marks.next = handed(*now, *lines[0], marks.next);
+    marks.next = handed_along(at_frame, last, is_moment ? now.get() : nullptr);
     marks.share = double(-first) / (last - first);
     marks.at = on_the_way(*now, marks.last, marks.next, marks.share);
     return marks;

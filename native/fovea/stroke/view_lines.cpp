@@ -2,6 +2,7 @@
 #include <fovea/stroke/view_lines.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 #include <fovea/base/hash.h>
@@ -137,7 +138,8 @@ class Finder {
             const mesh::Edge edge = surface.edges[on];
             const dvec3 from(at[edge.x]), way = dvec3(at[edge.y]) - from;
             const double square = glm::dot(way, way);
-            const double share = square > 0.0 ? std::clamp(glm::dot(place.position - from, way) / square, 0.0, 1.0) : 0.0;
+            const double share =
+                square > 0.0 ? std::clamp(glm::dot(place.position - from, way) / square, 0.0, 1.0) : 0.0;
             place.vertices = {edge.x, edge.y, edge.y};
             place.shares = {1.0 - share, share, 0.0};
         } else {
@@ -147,8 +149,8 @@ class Finder {
         }
     }
 
-    /// Per place: 1 where the surface faces the right of the line, else -1: however a path is chained, that is the same.
-    /// Where it faces along the line it is as before.
+    /// Per place: 1 where the surface faces the right of the line, else -1: however a path is chained, that is the
+    /// same. Where it faces along the line it is as before.
     std::vector<double> ways_of(In<ViewLines::Place> places, Index placement) const {
         const Surface& surface = *scene_.placements[placement].surface;
         const dmat4& object_to_view = out.placed[places[0].placed].object_to_view;
@@ -181,8 +183,20 @@ class Finder {
 
 }  // namespace
 
+std::shared_ptr<const Array<double>> HandedOn::find(std::uint64_t number) const {
+    const std::scoped_lock lock(mutex_);
+    const auto at = kept_.find(number);
+    return at == kept_.end() ? nullptr : at->second;
+}
+
+void HandedOn::keep(std::uint64_t number, std::shared_ptr<const Array<double>> values) {
+    const std::scoped_lock lock(mutex_);
+    if (kept_.size() == most) kept_.clear();
+    kept_.emplace(number, std::move(values));
+}
+
 std::size_t ViewLines::bytes() const {
-    std::size_t sum = places.size() * (sizeof(Place) + sizeof(std::size_t)) + 13 * period.size();
+    std::size_t sum = places.size() * (sizeof(Place) + 4 * sizeof(double)) + 13 * period.size();
     for (const Placed& each : placed) sum += sizeof(Placed) + each.positions.size() * sizeof(vec3);
     return sum;
 }
@@ -191,6 +205,8 @@ ViewLines view_lines(const ClippedPaths& clipped, const Paths& paths, const Scen
                      In<double> period) {
     Finder finder(clipped, paths, scene, view, period);
     finder.find();
+    static std::atomic<std::uint64_t> made{0};
+    finder.out.number = ++made;
     return std::move(finder.out);
 }
 
