@@ -19,6 +19,7 @@ TOOLS = (
     *("focus.focus_operators", "focus.focus_place_operators", "focus.focus_pull", "focus.focus_gizmos"),
     *("focus.focus_tool", "style.renamed"),
     *("ui.focus_overlay", "style.style_assets", "render.line_operators", "render.bake_operators"),
+    "render.marks_operators",
     *("render.compare_operators", "render.register_operators", "render.fit_operators", "render.learn_operators"),
     "render.gaze_operators",
     *("render.vector_operators", "render.to_scale_operators", "render.cameras"),

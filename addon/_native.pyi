@@ -329,6 +329,8 @@ class style:
         @property
         def marks_frames(self) -> int: ...
         @property
+        def marks_baked(self) -> bool: ...
+        @property
         def motion_blur(self) -> bool: ...
         @property
         def motion_samples(self) -> int: ...
@@ -1386,15 +1388,16 @@ class Frame:
         colors: ColorSources | None=None,
         near: Mapping[int, NearLines]={},
         since_key: int=0,
+        baked_marks: Annotated[ArrayLike, numpy.float64] | None=None,
         exposure: Exposure | None=None,
         files: Mapping[str, FileContent]={},
         cancel: Cancel | None=None,
         progress: Callable | None=None,
     ) -> None:
         """near: {how many frames later another is: its NearLines}; since_key: how many frames earlier the last key of
-        marks is (Animation.since_key); exposure: an Exposure, whose ink is drawn in place of the frame's own; files:
-        {path as the style has it: FileContent}, others are missing; progress(share, stage) is called before each
-        stage."""
+        marks is (Animation.since_key); baked_marks: (n,) float64 of its own lines, in place of those handed on;
+        exposure: an Exposure, whose ink is drawn in place of the frame's own; files: {path as the style has it:
+        FileContent}, others are missing; progress(share, stage) is called before each stage."""
     def find(self) -> None: ...
     def see(self) -> None: ...
     def filter(self) -> None: ...
@@ -1471,6 +1474,13 @@ class Frame:
 
 class NearLines:
     """Lines of a frame as neighboring frames need them."""
+    @property
+    def marks_content(self) -> int:
+        """Hash of the lines that marks are handed on along; 0: there are none."""
+    def own_marks(self) -> NDArray[numpy.float64]:
+        """(n,) float64 places of marks along them, in pixels, as the frame alone has them."""
+    def marks_handed_on(self, before: NearLines, marks: Annotated[ArrayLike, numpy.float64]) -> NDArray[numpy.float64]:
+        """(n,) float64 marks, handed on from those of the NearLines of a frame beside it."""
 
 class FoundLines:
     """What a frame has found of its lines, without neighboring frames."""

@@ -18,6 +18,7 @@ class Near:
 
     lines: dict  # {frame offset: native NearLines}; at 0 those of the frame whose moment is drawn
     since_key: int = 0  # how many frames earlier the last key of marks is
+    marks: object = None  # (n,) float64 marks of the frame that are baked; None: they are handed on
     same: object = None  # native FoundLines of the frame itself; None: its lines are to be found
     keep: Callable | None = None  # called with its FoundLines when its picture is made
 
@@ -60,6 +61,7 @@ def frame(
             colors=colors,
             near=near.lines if near else {},
             since_key=near.since_key if near else 0,
+            baked_marks=near.marks if near else None,
             exposure=exposure,
             files=line_files.contents(chosen),
             cancel=cancel,
@@ -98,17 +100,17 @@ def draw(scene, view, chosen, backend, asked, near=None, also=None, **beside):
     return Image(**made.passes(), statistics=statistics)
 
 
-def frames_near(chosen, asked, frame, moments=False):
-    """Offsets of the frames near a frame that its lines answer to, ascending: by elision, by visibility, and by the
-    marks of lines of the view, from the key before it to the one after it; of moments of the frame, which have its
-    marks, also 0. None with the spine test."""
+def frames_near(chosen, asked, frame, itself=False, keys=True):
+    """Offsets of the frames near a frame that its lines answer to, ascending: by elision, by visibility, and, with
+    `keys`, by the marks of lines of the view, from the key before it to the one after it. `itself`: also 0, where there
+    are such marks. None with the spine test."""
     if asked.visibility == "spine":
         return ()
     animation, elision = chosen.animation, chosen.elision
     most = max(elision.frames if elision.enabled else 0, animation.visibility_frames)
-    since = animation.since_key(frame)
+    since = animation.since_key(frame) if keys else 0
     ahead = animation.marks_frames - since if since else 0
-    itself = moments and animation.marks_frames > 0
+    itself = itself and (animation.marks_frames > 0 or animation.marks_baked)
     return tuple(away for away in range(-max(most, since), max(most, ahead) + 1) if away or itself)
 
 

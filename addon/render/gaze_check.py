@@ -125,7 +125,7 @@ class _Drawing:
 def _looked(context, work, tell):
     """work(_Drawing) of a final render of the context's view layer."""
     own = properties.style_of(context.scene)
-    still = own.animation.replace(visibility_frames=0, marks_frames=0)
+    still = own.animation.replace(visibility_frames=0, marks_frames=0, marks_baked=False)
     chosen = own.replace(elision=own.elision.replace(frames=0), animation=still)
 
     def make(*arguments):

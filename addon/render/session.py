@@ -19,10 +19,11 @@ from ..scene import camera, followed, kept, scene, surfaces
 from ..scene.operator import TOLD
 from ..scene.problem import CannotDraw
 from ..style import freestyle
-from . import holds, lines_scenes, methods, motion_blur, near_frames, passes, properties, reading, stage_labels
+from . import baked_marks, holds, lines_scenes, methods, motion_blur, near_frames, passes, properties, reading, stage_labels
 
 _log = logging.getLogger(__package__)
 readers = {}  # depsgraph mode -> Reader
+NOT_BAKED = "Frames lack baked marks of their lines: marks are handed on from frames around them; Bake Marks bakes them"
 _statistics, _remarked = {}, set()  # and remarks that were reported already
 
 
@@ -171,12 +172,25 @@ def lines_near(engine, depsgraph, styled, backend, options, cancel=None, moments
     """The pipeline.Near of a final render, for lines that answer to frames near it; else None. `styled(depsgraph)`: its
     Style, with the animated values of the frame that it is evaluated at. `moments`: moments of it are drawn with it."""
     chosen, frame = styled(depsgraph), depsgraph.scene.frame_current
-    offsets = pipeline.frames_near(chosen, options, frame, moments)
-    if not offsets:
-        return None
     look = partial(_look, engine, depsgraph, styled, backend, options, cancel)
-    near = near_frames.near(engine, depsgraph, offsets, look)
-    return replace(near, since_key=chosen.animation.since_key(frame))
+
+    def near(**asked):
+        offsets = pipeline.frames_near(chosen, options, frame, **asked)
+        return near_frames.near(engine, depsgraph, offsets, look) if offsets else None
+
+    if chosen.animation.marks_baked and (found := near(itself=True, keys=False)):
+        baked = baked_marks.of(followed.of(depsgraph.scene), depsgraph.view_layer, frame)
+        if 0 not in found.lines or (baked and found.lines[0].marks_content == baked[0]):
+            return replace(found, marks=baked and baked[1])
+        report_once(engine, NOT_BAKED)
+    found = near(itself=moments)
+    return found and replace(found, since_key=chosen.animation.since_key(frame))
+
+
+def lines_now(engine, depsgraph, styled, backend, options, cancel):
+    """The native FoundLines of the frame that a final render's depsgraph is evaluated at; None if they do not answer to
+    frames near it."""
+    return _look(engine, depsgraph, styled, backend, options, cancel).found
 
 
 def _look(engine, depsgraph, styled, backend, options, cancel):

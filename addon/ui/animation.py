@@ -20,7 +20,9 @@ class RENDER_PT_fovea_animation(StylePanel, bpy.types.Panel):
         draw_properties(layout, animation, ("start_frame",), boils or animation.hold > 1)
         draw_properties(layout, animation, ("visibility_frames",))
         draw_properties(layout, animation, ("vanish",), animation.visibility_frames > 0)
-        draw_properties(layout, animation, ("marks_frames",))
+        draw_properties(layout, animation, ("marks_frames", "marks_baked"))
+        if animation.marks_baked:
+            layout.operator("fovea.bake_marks")
         if body := fold_switch(layout, "motion_blur", animation, "motion_blur"):
             _draw_motion_blur(body, animation, followed.of(context.scene).render)
 

@@ -4,7 +4,7 @@
 import bpy
 
 LINES = (
-    *("fovea.render_cameras", "fovea.render_lines", "fovea.bake_strokes"),
+    *("fovea.render_cameras", "fovea.render_lines", "fovea.bake_strokes", "fovea.bake_marks"),
     *("fovea.match_freestyle", "fovea.match_line_art", "fovea.report"),
 )
 

@@ -62,7 +62,7 @@ using GivenFiles = std::map<std::string, std::shared_ptr<FileContent>>;
 std::shared_ptr<Frame> make_frame(std::shared_ptr<Scene> scene, const View& view, const style::Style& style,
                                   const Options& options, std::shared_ptr<Assets> assets,
                                   std::shared_ptr<Backend> backend, const OwningOverrides* overrides,
-                                  const ColorSources* colors, const Near& near, int since_key,
+                                  const ColorSources* colors, const Near& near, int since_key, const Optional<double>& baked_marks,
                                   std::shared_ptr<Exposure> exposure, const GivenFiles& files,
                                   std::shared_ptr<Cancel> cancel, const std::optional<py::function>& progress) {
     Job job{.scene = std::move(scene), .view = view, .style = style, .options = options};
@@ -72,6 +72,8 @@ std::shared_ptr<Frame> make_frame(std::shared_ptr<Scene> scene, const View& view
     if (colors) job.colors = *colors;
     job.near.assign(near.begin(), near.end());
     job.since_key = since_key;
+    const In<double> marks = borrow<double>(baked_marks, "baked_marks");
+    job.baked_marks.assign(marks.begin(), marks.end());
     job.exposure = std::move(exposure);
     job.files.insert(files.begin(), files.end());
     if (cancel) job.cancel = std::move(cancel);
@@ -139,7 +141,25 @@ void bind_backend(py::module_& m) {
 }
 
 void bind_found_lines(py::module_& m) {
-    py::class_<NearLines>(m, "NearLines", "Lines of a frame as neighboring frames need them.");
+    py::class_<NearLines>(m, "NearLines", "Lines of a frame as neighboring frames need them.")
+        .def_property_readonly(
+            "marks_content", [](const NearLines& lines) { return lines.of_view ? lines.of_view->content() : 0; },
+            "Hash of the lines that marks are handed on along; 0: there are none.")
+        .def(
+            "own_marks",
+            [](const NearLines& lines) { return to_numpy(lines.of_view ? own_marks(*lines.of_view) : Array<double>()); },
+            "(n,) float64 places of marks along them, in pixels, as the frame alone has them.")
+        .def(
+            "marks_handed_on",
+            [](const NearLines& lines, const NearLines& before, const Arg<double>& marks) {
+                const In<double> values = borrow<double>(marks, "marks");
+                return to_numpy(without_gil([&] {
+                    return lines.of_view && before.of_view ? handed_on(*lines.of_view, *before.of_view, values)
+                                                           : Array<double>();
+                }));
+            },
+            py::arg("before"), py::arg("marks"),
+            "(n,) float64 marks, handed on from those of the NearLines of a frame beside it.");
     py::class_<FoundLines, std::shared_ptr<FoundLines>>(
         m, "FoundLines", "What a frame has found of its lines, without neighboring frames.")
         .def_property_readonly("near_lines", [](const FoundLines& found) { return found.lines; })
@@ -204,11 +224,11 @@ void bind_steps(FrameClass& frame) {
             py::init(&make_frame), py::arg("scene"), py::arg("view"), py::arg("style"), py::kw_only(),
             py::arg("options") = Options(), py::arg("assets") = nullptr, py::arg("backend") = nullptr,
             py::arg("overrides") = nullptr, py::arg("colors") = nullptr, py::arg("near") = Near(),
-            py::arg("since_key") = 0, py::arg("exposure") = nullptr, py::arg("files") = GivenFiles(),
+            py::arg("since_key") = 0, py::arg("baked_marks") = py::none(), py::arg("exposure") = nullptr, py::arg("files") = GivenFiles(),
             py::arg("cancel") = nullptr, py::arg("progress") = py::none(), py::keep_alive<1, 7>(),
             py::keep_alive<1, 8>(),
             R"(near: {how many frames later another is: its NearLines}; since_key: how many frames earlier the last key of marks
-is (Animation.since_key); exposure: an Exposure, whose ink is drawn in place of
+is (Animation.since_key); baked_marks: (n,) float64 of its own lines, in place of those handed on; exposure: an Exposure, whose ink is drawn in place of
 the frame's own; files: {path as the style has it: FileContent}, others are missing; progress(share, stage) is called before each stage.)")
         .def("find", &Frame::find, NoGil())
         .def("see", &Frame::see, NoGil())

@@ -146,3 +146,94 @@ def test_frames_around_it_are_asked_for_vectors_too(turning, tmp_path):
     finally:
         near_frames.near = near
     assert asked == [(-1, 1, 2)] and path.is_file()
+
+
+@pytest.fixture
+def baked(turning, tmp_path):
+    """The same, with marks baked to a file beside it."""
+    bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "turning.blend"))
+    scene = bpy.context.scene
+    own_style(scene).animation.marks_baked = True
+    assert bpy.ops.fovea.bake_marks() == {"FINISHED"}
+    return scene
+
+
+def test_baked_marks_ask_for_no_other_frame_and_are_the_same_in_any_order(baked, tmp_path, monkeypatch):
+    frames, look = [], session._look
+
+    def looking(engine, depsgraph, *arguments):
+        frames.append(depsgraph.scene.frame_current)
+        return look(engine, depsgraph, *arguments)
+
+    monkeypatch.setattr(session, "_look", looking)
+    alone = {frame: drawn_at(baked, frame, tmp_path) for frame in FRAMES}
+    assert frames == list(FRAMES)
+    together = drawn_at_once(baked, FRAMES, tmp_path)
+    for frame in FRAMES:
+        np.testing.assert_array_equal(together[frame], alone[frame])
+    own_style(baked).animation.marks_baked = False
+    np.testing.assert_array_equal(drawn_at(baked, 1, tmp_path), alone[1])  # the first frame is a key of both
+    assert np.abs(drawn_at(baked, 6, tmp_path) - alone[6]).max() > 0.05
+
+
+def test_baked_marks_of_other_lines_are_handed_on_instead_and_it_is_told_once(baked, tmp_path):
+    told = []
+    session._remarked.clear()
+    baked.camera.location.x += 0.5
+    own_style(baked).animation.marks_baked = False
+    handed_on = {frame: drawn_at(baked, frame, tmp_path) for frame in (5, 9)}
+    own_style(baked).animation.marks_baked = True
+    for frame in (5, 9):  # one that has changed, and one that was not baked
+        np.testing.assert_array_equal(drawn_at(baked, frame, tmp_path), handed_on[frame])
+        told.append(session.NOT_BAKED in session._remarked)
+    assert told == [True, True]
+
+
+@pytest.mark.parametrize("broken", ["cut off", "no zip", "of objects", "numbers", "not finite", "gone"])
+def test_a_broken_file_of_marks_is_as_none(baked, tmp_path, broken):
+    own_style(baked).animation.marks_baked = False
+    handed_on = drawn_at(baked, 5, tmp_path)
+    own_style(baked).animation.marks_baked = True
+    (path,) = (tmp_path / "turning.fovea").iterdir()
+    whole = path.read_bytes()
+    with np.load(path) as file:
+        columns = dict(file)
+    if broken == "cut off":
+        path.write_bytes(whole[: len(whole) // 2])
+    elif broken == "no zip":
+        path.write_bytes(b"marks")
+    elif broken == "of objects":
+        np.savez(path, **(columns | {"marks": np.array([print], object)}))
+    elif broken == "numbers":
+        np.savez(path, **(columns | {"offsets": columns["offsets"] + 7}))
+    elif broken == "not finite":
+        np.savez(path, **(columns | {"marks": np.full_like(columns["marks"], np.nan)}))
+    else:
+        path.unlink()
+    np.testing.assert_array_equal(drawn_at(baked, 5, tmp_path), handed_on)
+
+
+def test_marks_are_baked_for_a_saved_file_whose_lines_have_some(turning, tmp_path):
+    own_style(turning).animation.marks_frames = 0
+    with pytest.raises(RuntimeError, match="Save the Blender file first"):
+        bpy.ops.fovea.bake_marks()
+    bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "turning.blend"))
+    with pytest.raises(RuntimeError, match="No line of the view has marks"):
+        bpy.ops.fovea.bake_marks()
+    assert not (tmp_path / "turning.fovea").exists()
+
+
+def test_baked_marks_begin_anew_at_another_camera(turning, tmp_path):
+    first, other = turning.camera, add_camera((3, -5, 1), (0, 0, 0))
+    for frame, camera in ((-10, first), (5, other)):
+        turning.timeline_markers.new(f"at {frame}", frame=frame).camera = camera
+    own_style(turning).animation.marks_frames = 0
+    own = drawn_at(turning, 5, tmp_path)
+    bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "cut.blend"))
+    scene = bpy.context.scene
+    own_style(scene).animation.marks_baked = True
+    bpy.ops.fovea.bake_marks()
+    began = drawn_at(scene, 5, tmp_path)
+    own_style(scene).animation.marks_baked, own_style(scene).animation.marks_frames = False, 4  # frame 5 is a key
+    np.testing.assert_array_equal(began, drawn_at(scene, 5, tmp_path))
+    assert np.abs(began - own).max() > 0.05

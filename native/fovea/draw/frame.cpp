@@ -201,7 +201,8 @@ void Frame::shape() {
         if (hands_on()) {
             std::vector<ViewNear> near;
             for (const auto& [away, lines] : job.near) near.emplace_back(away, lines.of_view);
-            marks_ = marks_in_time(found_lines()->lines.of_view, near, job.since_key, job.style.animation.marks_frames);
+            marks_ = marks_in_time(found_lines()->lines.of_view, near, job.since_key, job.style.animation.marks_frames,
+                                   job.baked_marks);
         }
         pen_paints_ = PenPaints(pens.pens, *paths, *job.scene, job.overrides);
         strokes = std::make_shared<Strokes>(strokes_with(shown));
@@ -291,7 +292,8 @@ bool Frame::lasts() const {
 
 bool Frame::hands_on() const {
     const auto anchored = [](const style::Pen& pen) { return pen.texture_anchor == style::Anchor::path; };
-    return job.style.animation.marks_frames > 0 && !method_of(job.options.visibility).in_strokes && job.assets &&
+    const style::Animation& animation = job.style.animation;
+    return (animation.marks_frames > 0 || animation.marks_baked) && !method_of(job.options.visibility).in_strokes && job.assets &&
            std::ranges::any_of(pens_in_order(job.style), anchored);
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 
+#include <fovea/base/check.h>
 #include <fovea/base/hash.h>
 #include <fovea/base/parallel.h>
 
@@ -137,13 +138,16 @@ void fill(std::span<double> wanted, In<double> trust) {
     for (std::size_t k = n - 1; k-- > 0;) wanted[k] = (right[k] + stiff * wanted[k + 1]) / diagonal[k];
 }
 
-Array<double> own_of(const ViewLines& lines) {
+}  // namespace
+
+Array<double> own_marks(const ViewLines& lines) {
     return parallel_map<double>(lines.places.size(), [&](std::size_t j) { return lines.places[j].own; });
 }
 
-/// Values of the places of `now`, handed on from those of another frame; those of its own on lines that are not there.
-Array<double> handed_on(const ViewLines& now, const Array<Found>& found, const ViewLines& there, In<double> values) {
-    const Array<double> own = own_of(now);
+Array<double> handed_on(const ViewLines& now, const ViewLines& there, In<double> values) {
+    check(values.size() == there.places.size(), "marks: one per place of the other lines expected");
+    const Array<Found> found = found_on(now, there);
+    const Array<double> own = own_marks(now);
     Array<double> made(now.places.size());
     parallel_for(now.rows.count(), 64, [&](std::size_t q) {
         const Index begin = now.rows.begin(Index(q)), size = now.rows.size(Index(q));
@@ -174,6 +178,8 @@ Array<double> handed_on(const ViewLines& now, const Array<Found>& found, const V
     return made;
 }
 
+namespace {
+
 /// Marks that are at `last`, on the way to the nearest ones of those that are at `next`. Where they lie half a period
 /// apart, one of them comes or goes.
 Array<double> on_the_way(const ViewLines& lines, In<double> last, In<double> next, double share) {
@@ -189,7 +195,7 @@ Array<double> on_the_way(const ViewLines& lines, In<double> last, In<double> nex
 template <typename AtFrame>
 Array<double> handed_along(const AtFrame& lines_at, int key, const ViewLines* moment) {
     const ViewLines* here = lines_at(key);
-    auto values = std::make_shared<const Array<double>>(own_of(*here));
+    auto values = std::make_shared<const Array<double>>(own_marks(*here));
     std::uint64_t chain = here->number;
     while (key != 0) {
         const ViewLines* const before = here;
@@ -198,21 +204,30 @@ Array<double> handed_along(const AtFrame& lines_at, int key, const ViewLines* mo
         chain = hash_numbers(chain, here->number);
         auto kept = here->handed_on->find(chain);
         if (!kept) {
-            kept = std::make_shared<const Array<double>>(handed_on(*here, found_on(*here, *before), *before, *values));
+            kept = std::make_shared<const Array<double>>(handed_on(*here, *before, *values));
             here->handed_on->keep(chain, kept);
         }
         values = kept;
     }
-    return moment ? handed_on(*moment, found_on(*moment, *here), *here, *values) : *values;
+    return moment ? handed_on(*moment, *here, *values) : *values;
 }
 
 }  // namespace
 
-Marks marks_in_time(std::shared_ptr<const ViewLines> now, In<ViewNear> near, int since_key, int frames) {
+Marks marks_in_time(std::shared_ptr<const ViewLines> now, In<ViewNear> near, int since_key, int frames,
+                    In<double> baked) {
     std::map<int, const ViewLines*> lines;
     for (const auto& [away, of] : near)
         if (of) lines.emplace(away, of.get());
     const bool is_moment = !lines.emplace(0, now.get()).second;
+    if (!baked.empty()) {
+        const ViewLines& itself = *lines[0];
+        check(baked.size() == itself.places.size(), "marks: those baked are not of these lines");
+        Marks marks{now, {}, {baked.begin(), baked.end()}, {}, 0.0};
+        if (is_moment) marks.last = handed_on(*now, itself, marks.last);
+        marks.at = marks.last;
+        return marks;
+    }
     int first = 0, last = 0;
     while (first > -since_key && lines.contains(first - 1)) --first;
     while (last < frames - since_key && lines.contains(last + 1)) ++last;

@@ -29,6 +29,14 @@ using ViewNear = std::pair<int, std::shared_ptr<const ViewLines>>;
 /// most half a period. Lines that come between them have their own. Frames must reach from one key to the next without
 /// a gap: beyond one, as at a cut, marks are not handed on, and with none to the next key they stay those of the last
 /// one.
-Marks marks_in_time(std::shared_ptr<const ViewLines> now, In<ViewNear> near, int since_key, int frames);
+/// `baked`: of the places of the frame itself; not empty: the marks are these, as they are.
+Marks marks_in_time(std::shared_ptr<const ViewLines> now, In<ViewNear> near, int since_key, int frames,
+                    In<double> baked = {});
+
+/// Per place: Place::own.
+Array<double> own_marks(const ViewLines& lines);
+
+/// Marks of the places of a frame, handed on from those of one beside it; on lines that are not there, those of its own.
+Array<double> handed_on(const ViewLines& now, const ViewLines& there, In<double> marks);
 
 }  // namespace fovea::stroke

@@ -201,6 +201,14 @@ std::size_t ViewLines::bytes() const {
     return sum;
 }
 
+std::uint64_t ViewLines::content() const {
+    std::uint64_t hash = hash_of(In<Index>(rows.offsets));
+    const Array<double> own = parallel_map<double>(places.size(), [&](std::size_t j) { return places[j].own; });
+    const Array<dvec2> px = parallel_map<dvec2>(places.size(), [&](std::size_t j) { return places[j].px; });
+    hash = hash_of(In<dvec2>(px), hash_of(In<double>(own), hash));
+    return std::max<std::uint64_t>(hash, 1);
+}
+
 ViewLines view_lines(const ClippedPaths& clipped, const Paths& paths, const Scene& scene, const View& view,
                      In<double> period) {
     Finder finder(clipped, paths, scene, view, period);

@@ -63,6 +63,8 @@ struct ViewLines {
     std::unique_ptr<HandedOn> handed_on = std::make_unique<HandedOn>();
 
     std::size_t bytes() const;  ///< about
+    /// Hash of where its places are and of their own marks; not 0.
+    std::uint64_t content() const;
 };
 
 /// `period`: per line set, length of the marks of its pen in px; 0: its lines have none, and no places. Lines that are

@@ -27,6 +27,7 @@ struct Animation {
     int visibility_frames = 0;
     Vanish vanish = Vanish::fade;
     int marks_frames = 0;
+    bool marks_baked = false;
     bool motion_blur = false;
     int motion_samples = 8;
 
@@ -64,6 +65,9 @@ struct Animation {
               "that are fixed to paths, until they have gone over to others: renders look at so many frames around "
               "one, a single one takes up to as many times as long, an animation little longer",
               number(0, 64, 32)},
+        Field{"marks_baked", &Animation::marks_baked, "Baked Marks",
+              "Renders take marks of lines of the view from the file beside the Blender file that Bake Marks wrote; those "
+              "of frames that it lacks, or whose lines have changed, are handed on"},
         Field{"motion_blur", &Animation::motion_blur, "Motion Blur of Lines",
               "Renders draw lines at several moments while the scene's shutter is open, and average them, where the "
               "scene has motion blur on, too: it takes up to as many times as long"},
