@@ -99,7 +99,9 @@ def write(path, frames):
     try:
         path.parent.mkdir(exist_ok=True)
     except OSError as error:
-        raise files.NotWritten(f"{path.parent} could not be made ({error.strerror}): make room, or save elsewhere") from error
+        raise files.NotWritten(
+            f"{path.parent} could not be made ({error.strerror}): make room, or save elsewhere"
+        ) from error
     with files.written(path, lambda fresh: _read(fresh, 0, 0) is not None) as fresh, fresh.open("wb") as file:
         np.savez_compressed(file, **columns)
     _read.cache_clear()

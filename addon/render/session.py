@@ -19,7 +19,18 @@ from ..scene import camera, followed, kept, scene, surfaces
 from ..scene.operator import TOLD
 from ..scene.problem import CannotDraw
 from ..style import freestyle
-from . import baked_marks, holds, lines_scenes, methods, motion_blur, near_frames, passes, properties, reading, stage_labels
+from . import (
+    baked_marks,
+    holds,
+    lines_scenes,
+    methods,
+    motion_blur,
+    near_frames,
+    passes,
+    properties,
+    reading,
+    stage_labels,
+)
 
 _log = logging.getLogger(__package__)
 readers = {}  # depsgraph mode -> Reader

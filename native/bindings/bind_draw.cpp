@@ -62,9 +62,10 @@ using GivenFiles = std::map<std::string, std::shared_ptr<FileContent>>;
 std::shared_ptr<Frame> make_frame(std::shared_ptr<Scene> scene, const View& view, const style::Style& style,
                                   const Options& options, std::shared_ptr<Assets> assets,
                                   std::shared_ptr<Backend> backend, const OwningOverrides* overrides,
-                                  const ColorSources* colors, const Near& near, int since_key, const Optional<double>& baked_marks,
-                                  std::shared_ptr<Exposure> exposure, const GivenFiles& files,
-                                  std::shared_ptr<Cancel> cancel, const std::optional<py::function>& progress) {
+                                  const ColorSources* colors, const Near& near, int since_key,
+                                  const Optional<double>& baked_marks, std::shared_ptr<Exposure> exposure,
+                                  const GivenFiles& files, std::shared_ptr<Cancel> cancel,
+                                  const std::optional<py::function>& progress) {
     Job job{.scene = std::move(scene), .view = view, .style = style, .options = options};
     if (overrides) job.overrides = overrides->overrides;
     job.assets = std::move(assets);
@@ -147,7 +148,9 @@ void bind_found_lines(py::module_& m) {
             "Hash of the lines that marks are handed on along; 0: there are none.")
         .def(
             "own_marks",
-            [](const NearLines& lines) { return to_numpy(lines.of_view ? own_marks(*lines.of_view) : Array<double>()); },
+            [](const NearLines& lines) {
+                return to_numpy(lines.of_view ? own_marks(*lines.of_view) : Array<double>());
+            },
             "(n,) float64 places of marks along them, in pixels, as the frame alone has them.")
         .def(
             "marks_handed_on",
@@ -224,9 +227,9 @@ void bind_steps(FrameClass& frame) {
             py::init(&make_frame), py::arg("scene"), py::arg("view"), py::arg("style"), py::kw_only(),
             py::arg("options") = Options(), py::arg("assets") = nullptr, py::arg("backend") = nullptr,
             py::arg("overrides") = nullptr, py::arg("colors") = nullptr, py::arg("near") = Near(),
-            py::arg("since_key") = 0, py::arg("baked_marks") = py::none(), py::arg("exposure") = nullptr, py::arg("files") = GivenFiles(),
-            py::arg("cancel") = nullptr, py::arg("progress") = py::none(), py::keep_alive<1, 7>(),
-            py::keep_alive<1, 8>(),
+            py::arg("since_key") = 0, py::arg("baked_marks") = py::none(), py::arg("exposure") = nullptr,
+            py::arg("files") = GivenFiles(), py::arg("cancel") = nullptr, py::arg("progress") = py::none(),
+            py::keep_alive<1, 7>(), py::keep_alive<1, 8>(),
             R"(near: {how many frames later another is: its NearLines}; since_key: how many frames earlier the last key of marks
 is (Animation.since_key); baked_marks: (n,) float64 of its own lines, in place of those handed on; exposure: an Exposure, whose ink is drawn in place of
 the frame's own; files: {path as the style has it: FileContent}, others are missing; progress(share, stage) is called before each stage.)")

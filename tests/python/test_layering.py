@@ -91,7 +91,7 @@ FOLDERS = "gpu scene focus style render ui".split()
 LOADERS = (
     r"addon/(gpu/\w+|catalogue|comparison(_report)?|curve_fit|fitted_(hand|style)|gaze|learned_lines|line_arrays|pipeline|scene/api|ui/preferences|"
     r"style/(__init__|style_picture)|render/(bake_operators|definition_strengths|drawn_lines|gaze_check|gpu_check|"
-    r"line_operators|local_properties|methods|motion_blur|near_frames|reading|session|style_fit|vector_settings|vectors|viewport|whole_pictures"
+    r"line_operators|local_properties|marks_operators|methods|motion_blur|near_frames|reading|session|style_fit|vector_settings|vectors|viewport|whole_pictures"
     r"))\.py"
 )
 

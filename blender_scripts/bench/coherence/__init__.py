@@ -23,7 +23,7 @@ RENDERERS = ("fovea", "freestyle", "line_art")
 LINES = {"mesh": ("crease", "border"), "view": ("contour",)}  # fixed to the mesh; of the view
 ANCHORS = ("screen", "path")
 FRAMES, QUICK_FRAMES = 16, 4
-MARKS = 16  # frames
+MARKS, BAKED = 16, "baked"  # frames
 PERIOD = 18  # pixels of a dash and its gap
 MEASURES = (
     "pure", "changes_per_frame", "slide_median_px", "slide_p95_px", "stretch_median", "stretch_p95", "blinks_per_1000",
@@ -41,8 +41,10 @@ def parse(words):
     add("--anchor", choices=ANCHORS, default="path", help="what Fovea's dashes are fixed to (path)")
     window = "frames to each side that visibility in Fovea answers to (0)"
     add("--window", type=frames_to_each_side, default=0, metavar="N", help=window)
-    marks = f"frames over which Fovea hands marks on lines of the view on ({MARKS}); 0: it does not"
-    add("--marks", type=frames_to_each_side, default=MARKS, metavar="N", help=marks)
+    marks = (
+        f"frames over which Fovea hands marks on lines of the view on ({MARKS}); 0: it does not; {BAKED}: through all"
+    )
+    add("--marks", type=frames_or_baked, default=MARKS, metavar=f"N|{BAKED}", help=marks)
     add("--size", type=peers.frame_size, metavar="WxH", help="of the picture (960x540)")
     add("--frames", type=peers.count, metavar="N", help=f"of each scene, at least 2 ({FRAMES})")
     add("--pictures", type=Path, metavar="FOLDER", help="for strips of frames, and one row of pixels over time")
@@ -59,6 +61,10 @@ def frames_to_each_side(text):
     if not text.isdecimal():
         raise argparse.ArgumentTypeError(f"'{text}' is no number of frames")
     return int(text)
+
+
+def frames_or_baked(text):
+    return text if text == BAKED else frames_to_each_side(text)
 
 
 def main(words, blender, environment, shared: Path | None) -> int:

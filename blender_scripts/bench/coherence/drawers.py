@@ -4,6 +4,7 @@ per scene: `lines(kinds)` chooses what is drawn, `frame()` draws, `polylines(vie
 `trace()` is a hash of all that was drawn. Runs inside Blender."""
 
 import hashlib
+from pathlib import Path
 
 import bpy
 import numpy as np
@@ -11,7 +12,7 @@ from bl_ext.user_default.fovea import pipeline
 
 from .. import renderers
 from ..focus.world import kept_results
-from . import PERIOD
+from . import BAKED, PERIOD
 from .strokes import Strokes, arc_from_start, divided, mixed
 
 STEP = 4.0  # pixels between points of a line, as between places on it (native/fovea/stroke/anchor.cpp)
@@ -32,13 +33,19 @@ class Fovea(renderers.Fovea):
         held = style_data.use(scene, "plain")
         style_data.choose_lines(held, kinds)
         held.elision.enabled = False
-        held.animation.visibility_frames, held.animation.marks_frames = self.window, self.marks
+        held.animation.visibility_frames = self.window
+        if self.marks != BAKED:
+            held.animation.marks_frames = self.marks
         for line_set in held.line_sets:
             line_set.kinds.crease_angle = renderers.CREASE
             pen = line_set.pen
             pen.width = PERIOD / DASHES * REFERENCE / scene.render.resolution_y
             pen.texture, pen.texture_anchor = "dashes", self.anchor.upper()
             pen.cap, pen.taper = "BUTT", 0.0
+        if self.marks == BAKED:
+            held.animation.marks_baked = True
+            bpy.ops.wm.save_as_mainfile(filepath=str(Path(bpy.app.tempdir) / "shot.blend"))
+            bpy.ops.fovea.bake_marks()
 
     def frame(self):
         frames, images = [], []

@@ -293,8 +293,8 @@ bool Frame::lasts() const {
 bool Frame::hands_on() const {
     const auto anchored = [](const style::Pen& pen) { return pen.texture_anchor == style::Anchor::path; };
     const style::Animation& animation = job.style.animation;
-    return (animation.marks_frames > 0 || animation.marks_baked) && !method_of(job.options.visibility).in_strokes && job.assets &&
-           std::ranges::any_of(pens_in_order(job.style), anchored);
+    return (animation.marks_frames > 0 || animation.marks_baked) && !method_of(job.options.visibility).in_strokes &&
+           job.assets && std::ranges::any_of(pens_in_order(job.style), anchored);
 }
 
 /// Per line set: length of the marks that its pen in focus fixes to paths [px]; 0: it fixes none.

@@ -52,7 +52,7 @@ struct Job {
     /// Neighboring frames, for elision, visibility and marks over them; of a moment near a frame also this one, at 0.
     std::vector<LinesNear> near = {};
     Array<double> baked_marks = {};  ///< of the frame's lines of the view; empty: they are handed on
-    int since_key = 0;  ///< how many frames before this one the last key of marks is (stroke/marks.h)
+    int since_key = 0;               ///< how many frames before this one the last key of marks is (stroke/marks.h)
     std::shared_ptr<const Exposure> exposure = {};  ///< ink in place of the frame's own; null: sharp
     std::shared_ptr<const Cancel> cancel = std::make_shared<Cancel>();
     /// Called before each stage with the fraction done, in [0, 1], and the stage's name.

@@ -66,7 +66,8 @@ struct Animation {
               "one, a single one takes up to as many times as long, an animation little longer",
               number(0, 64, 32)},
         Field{"marks_baked", &Animation::marks_baked, "Baked Marks",
-              "Renders take marks of lines of the view from the file beside the Blender file that Bake Marks wrote; those "
+              "Renders take marks of lines of the view from the file beside the Blender file that Bake Marks wrote; "
+              "those "
               "of frames that it lacks, or whose lines have changed, are handed on"},
         Field{"motion_blur", &Animation::motion_blur, "Motion Blur of Lines",
               "Renders draw lines at several moments while the scene's shutter is open, and average them, where the "
