@@ -60,6 +60,8 @@ void write(DrawnLine& drawn, double path_length_px, double share) {
 
 }  // namespace
 
+double mark_length_px(const Pen& pen) { return pen.texture == none ? pen.look.wobble_length : pen.texture_length_px; }
+
 void check_inking(const Inking& inking) {
     const ClippedPaths& clipped = inking.clipped;
     check_pens(inking);

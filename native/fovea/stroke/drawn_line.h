@@ -37,6 +37,9 @@ struct Inking {
     Moment moment = {};
 };
 
+/// Length of the marks of a pen [px].
+double mark_length_px(const Pen& pen);
+
 /// Throws std::invalid_argument where arrays do not fit together.
 void check_inking(const Inking& inking);
 

@@ -32,11 +32,6 @@ struct Pen {
 /// Whether a pen fixes its marks to paths.
 inline bool is_anchored(const Pen& pen) { return pen.look.texture_anchor == Anchor::path; }
 
-/// Length of the marks of a pen [px].
-inline double mark_length_px(const Pen& pen) {
-    return pen.texture == none ? pen.look.wobble_length : pen.texture_length_px;
-}
-
 /// What is painted where a pen draws, per point of Paths: what its width and its opacity are multiplied by, each in
 /// [0, 1], and its color in place of its own. Empty: not painted. Borrowed.
 struct PenPaint {
