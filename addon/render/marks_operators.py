@@ -14,8 +14,8 @@ from .line_operators import OfRender, progress
 
 class FOVEA_OT_bake_marks(OfRender, bpy.types.Operator):
     """Find the lines of all frames of the scene's range, as a final render of this view layer has them, hand their
-    marks on from each to the next, and write these to a file in a folder beside the Blender file. Renders take them from
-    there where the style says Baked Marks"""
+    marks on from each to the next, and write these to a file in a folder beside the Blender file. Renders take them
+    from there where the style says Baked Marks"""
 
     bl_idname = "fovea.bake_marks"
     bl_label = "Bake Marks"
