@@ -219,6 +219,13 @@ TEST(Marks, OfClosedLinesHaveWholePeriods) {
     }
 }
 
+TEST(Marks, OfAClosedLineShorterThanAPeriodHaveOne) {
+    const Lines lines =
+        lines_of({place(meshes::sphere(40), scaled(dvec3(0.02)), 3)}, perspective({0, -9, 1}, {0, 0, 0}, 60));
+    ASSERT_GT(lines->places.size(), 2u);
+    EXPECT_NEAR(std::abs(lines->places.back().own - lines->places.front().own), period, 1e-6);
+}
+
 TEST(Marks, RunTheSameWayHoweverALineIsChained) {
     // What bounds the surface is on the same side of the line, in both halves of a turn and in a mirrored object.
     for (const double degrees : {0.0, 90.0, 180.0, 270.0})
@@ -261,6 +268,21 @@ TEST(Marks, AreNotHandedOnToAnotherObjectOrDefinition) {
     const auto equal = [&](const Array<double>& values) { return std::equal(own.begin(), own.end(), values.begin()); };
     EXPECT_TRUE(equal(handed(of(8, "smooth_contour"))));
     EXPECT_TRUE(equal(handed(of(7, "suggestive_contour"))));
+}
+
+TEST(Marks, OfManyLinesInOnePlaceTakeNoLongerThanTheyAreMany) {
+    // 4,000 edges of one mesh in the same place: each would be compared with all places of all others.
+    meshes::Mesh mesh("crowd", {});
+    for (int i = 0; i < 2000; ++i) {
+        const int first = int(mesh.positions.size());
+        for (const vec3& p : {vec3(-1, 0, -1), vec3(1, 0, -1), vec3(0, 0.2f, 1)}) mesh.positions.push_back(p);
+        mesh.add_polygon({first, first + 1, first + 2});
+    }
+    const View view = perspective({0, -8, 1}, {0, 0, 0}, 60);
+    const Lines lines = lines_of({place(mesh)}, view, {"silhouette", "contour"});
+    ASSERT_GT(lines->places.size(), 100'000u);
+    const Marks marks = marks_in_time(lines, std::vector<ViewNear>{{-1, lines}}, 1, 8);
+    for (const double at : marks.at) ASSERT_TRUE(std::isfinite(at));
 }
 
 namespace {

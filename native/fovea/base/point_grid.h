@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cmath>
+#include <limits>
 #include <unordered_map>
 #include <vector>
 
@@ -12,9 +13,14 @@ namespace fovea::base {
 
 class PointGrid {
    public:
-    explicit PointGrid(double cell) : cell_(cell) {}
+    /// `most`: in a cell; those beyond it are not kept, so that points in one place cost no more than others.
+    explicit PointGrid(double cell, std::size_t most = std::numeric_limits<std::size_t>::max())
+        : cell_(cell), most_(most) {}
 
-    void add(const dvec2& point, std::size_t number) { cells_[key(cell_of(point))].push_back(number); }
+    void add(const dvec2& point, std::size_t number) {
+        std::vector<std::size_t>& there = cells_[key(cell_of(point))];
+        if (there.size() < most_) there.push_back(number);
+    }
 
     /// Calls visit(number) for all numbers in cells at most `rings` away from that of a point, or exactly so far.
     template <typename Visit>
@@ -39,6 +45,7 @@ class PointGrid {
     }
 
     double cell_;
+    std::size_t most_;
     std::unordered_map<std::uint64_t, std::vector<std::size_t>> cells_;  // never walked through: its order is nobody's
 };
 

@@ -44,11 +44,15 @@ std::shared_ptr<const FoundLines> Frame::found_lines() {
             elision::shown_lines(*clipped, *paths, *job.scene, *runs, found.shown, job.view.width, job.view.height));
     }
     if (lasts()) found.lines.seen = std::make_shared<SeenLines>(seen_lines(*clipped, *paths, *job.scene, with_halos()));
-    if (hands_on())
-        found.lines.of_view =
-            std::make_shared<ViewLines>(view_lines(*clipped, *paths, *job.scene, job.view, mark_lengths()));
+    if (hands_on()) found.lines.of_view = lines_of_view();
     found_ = std::make_shared<FoundLines>(std::move(found));
     return found_;
+}
+
+/// What marks are handed on along.
+std::shared_ptr<const ViewLines> Frame::lines_of_view() {
+    if (found_ && found_->lines.of_view) return found_->lines.of_view;
+    return std::make_shared<ViewLines>(view_lines(*clipped, *paths, *job.scene, job.view, mark_lengths()));
 }
 
 void Frame::take_over(std::shared_ptr<const FoundLines> same) {

@@ -201,8 +201,8 @@ void Frame::shape() {
         if (hands_on()) {
             std::vector<ViewNear> near;
             for (const auto& [away, lines] : job.near) near.emplace_back(away, lines.of_view);
-            marks_ = marks_in_time(found_lines()->lines.of_view, near, job.since_key, job.style.animation.marks_frames,
-                                   job.baked_marks);
+            marks_ =
+                marks_in_time(lines_of_view(), near, job.since_key, job.style.animation.marks_frames, job.baked_marks);
         }
         pen_paints_ = PenPaints(pens.pens, *paths, *job.scene, job.overrides);
         strokes = std::make_shared<Strokes>(strokes_with(shown));

@@ -161,6 +161,7 @@ class Frame {
     Runs with_ends(const Runs& runs) const;
     std::pair<Runs, Array<Index>> outlined(const Runs& runs) const;
     std::vector<double> mark_lengths() const;
+    std::shared_ptr<const ViewLines> lines_of_view();
     Array<float> left(float cut);
     Painted painted(const std::string& attribute) const;
     Array<float> focus_along_lines();

@@ -13,6 +13,8 @@ namespace {
 
 constexpr double step = 4.0;        // reference pixels between places
 constexpr double cell = 8.0;        // of the grid, reference pixels
+constexpr std::size_t crowd = 512;  // places in a cell
+constexpr double shortest = 0.01;   // px: shorter pieces have no marks
 constexpr std::uint64_t far = 509;  // periods by which lines may begin elsewhere
 constexpr std::size_t around = 6;   // places to each side over which the side that the surface faces is averaged
 constexpr double clear = 0.3;       // sine of its angle to the line
@@ -76,7 +78,7 @@ class Finder {
         parallel_for(count, 64, [&](std::size_t q) {
             if (out.rows.size(Index(q)) > 0) find(Index(q));
         });
-        out.grid = std::make_unique<PointGrid>(cell * view_.reference_scale);
+        out.grid = std::make_unique<PointGrid>(cell * view_.reference_scale, crowd);
         for (std::size_t j = 0; j < out.places.size(); ++j) out.grid->add(out.places[j].px, j);
     }
 
@@ -87,7 +89,7 @@ class Finder {
         const Index path = clipped_.path[piece];
         const std::uint8_t of_view = paths_.of_view[path];
         return of_view && of_view != path::makes_tone && paths_.placement[path] != none &&
-               period_[paths_.line_set[path]] > 0.0 && clipped_.pieces.size(piece) > 1 && length_of(piece) > 0.0 &&
+               period_[paths_.line_set[path]] > 0.0 && clipped_.pieces.size(piece) > 1 && length_of(piece) > shortest &&
                std::isfinite(length_of(piece));
     }
 
@@ -117,7 +119,10 @@ class Finder {
             places[k].own = own;
         }
         if (!out.closed[piece]) return;
-        const double turn = own - places[0].own, missing = std::round(turn / period) * period - turn;
+        // One that runs around has at least one period; one that comes back as it went may have none.
+        const double turn = own - places[0].own, least = std::abs(turn) > 0.5 * length ? 1.0 : 0.0;
+        const double whole = std::copysign(std::max(least, std::round(std::abs(turn) / period)) * period, turn);
+        const double missing = whole - turn;
         for (Index k = 0; k < size; ++k) places[k].own += missing * k / (size - 1);
     }
 
