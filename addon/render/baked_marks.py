@@ -15,6 +15,7 @@ import numpy as np
 from .. import files
 
 SCHEMA = 1
+MOST_BYTES = 4 << 30  # of what a file unpacks to: 500 million places of marks
 
 
 @dataclass(frozen=True)
@@ -61,6 +62,9 @@ def read(path):
 @lru_cache(maxsize=4)
 def _read(path, _changed, _size):
     try:
+        with zipfile.ZipFile(path) as packed:
+            if sum(each.file_size for each in packed.infolist()) > MOST_BYTES:
+                return None
         with np.load(path, allow_pickle=False) as file:
             if int(file["schema"]) != SCHEMA:
                 return None

@@ -17,7 +17,8 @@ class RENDER_PT_fovea_animation(StylePanel, bpy.types.Panel):
         boils = animation.boil > 0
         draw_properties(layout, animation, ("written", "hold", "boil"))
         draw_properties(layout, animation, ("boil_hold", "boil_cycle"), boils)
-        draw_properties(layout, animation, ("start_frame",), boils or animation.hold > 1)
+        counts = boils or animation.hold > 1 or animation.marks_frames > 0
+        draw_properties(layout, animation, ("start_frame",), counts)
         draw_properties(layout, animation, ("visibility_frames",))
         draw_properties(layout, animation, ("vanish",), animation.visibility_frames > 0)
         draw_properties(layout, animation, ("marks_frames", "marks_baked"))
