@@ -14,12 +14,18 @@ import bpy
 
 from ..scene.problem import CannotDraw
 
+_original = None  # name of the scene of whose copy that is
 _look = None  # of the render in progress, if `look` started it: (Future of the result, `take`, name of the view layer)
 
 
 def is_looking():
     """Whether `look` started the render in progress, which writes nothing."""
     return _look is not None
+
+
+def name_of(scene):
+    """Name of a scene; of the copy that `look` renders, that of the original."""
+    return _original or scene.name
 
 
 def looked(engine, depsgraph):
@@ -40,19 +46,19 @@ def look(context, take, prepare=None):
     """Returns take(engine, depsgraph), called from a final render of the context's view layer at the current frame.
     `prepare(scene)` may change the copy of the scene that is rendered. It must have a camera. CannotDraw if Blender
     does not render."""
-    global _look
+    global _look, _original
     layer, outcome = context.view_layer, Future()
     with _copy(context.scene) as scene:
         scene.view_layers[layer.name].use = True
         if prepare:
             prepare(scene)
-        _look = outcome, take, layer.name
+        _look, _original = (outcome, take, layer.name), context.scene.name
         try:
             bpy.ops.render.render(scene=scene.name, layer=layer.name)
         except RuntimeError as error:  # with Blender's message
             raise CannotDraw(str(error).removeprefix("Error: ").strip()) from error
         finally:
-            _look = None
+            _look = _original = None
     if not outcome.done():
         raise CannotDraw("Blender is rendering: try again when it is done")
     return outcome.result()

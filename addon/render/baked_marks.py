@@ -4,6 +4,7 @@ first one after a change of the camera, to the last. Each frame takes its own fr
 that were baked; so frames depend on the scene and on this file, and on no other frame."""
 
 import zipfile
+from contextlib import suppress
 from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
@@ -13,8 +14,10 @@ import bpy
 import numpy as np
 
 from .. import files
+from . import as_rendered
 
 SCHEMA = 1
+MOST_PX = 1e9
 MOST_BYTES = 4 << 30  # of what a file unpacks to: 500 million places of marks
 
 
@@ -39,7 +42,7 @@ def place(scene, layer):
     """Path of the file of a scene's view layer; None: the Blender file is not saved."""
     if not bpy.data.filepath:
         return None
-    names = "_".join(quote(each.name, safe="") for each in (scene, layer))
+    names = "+".join(quote(name, safe="") for name in (as_rendered.name_of(scene), layer.name))
     return Path(bpy.data.filepath).with_suffix(".fovea") / f"marks_{names}.npz"
 
 
@@ -59,9 +62,9 @@ def read(path):
     return _read(path, found.st_mtime_ns, found.st_size)
 
 
-@lru_cache(maxsize=4)
+@lru_cache(maxsize=1)
 def _read(path, _changed, _size):
-    try:
+    with suppress(Exception):  # whatever numpy and zlib make of a broken file
         with zipfile.ZipFile(path) as packed:
             if sum(each.file_size for each in packed.infolist()) > MOST_BYTES:
                 return None
@@ -70,9 +73,8 @@ def _read(path, _changed, _size):
                 return None
             kinds = {"frames": np.int64, "contents": np.uint64, "offsets": np.int64, "marks": np.float64}
             made = Baked(**{name: file[name].astype(kind, casting="safe") for name, kind in kinds.items()})
-    except (OSError, ValueError, TypeError, KeyError, EOFError, MemoryError, zipfile.BadZipFile):
-        return None
-    return made if _is_sound(made) else None
+        return made if _is_sound(made) else None
+    return None
 
 
 def _is_sound(baked):
@@ -85,7 +87,7 @@ def _is_sound(baked):
         and (np.diff(baked.offsets) >= 0).all()
         and baked.offsets[0] == 0
         and baked.offsets[-1] == len(baked.marks)
-        and np.isfinite(baked.marks).all()
+        and (np.abs(baked.marks) < MOST_PX).all()
     )
 
 

@@ -27,7 +27,8 @@ class FOVEA_OT_bake_marks(OfRender, bpy.types.Operator):
         path = baked_marks.place(scene, context.view_layer)
         if path is None:
             raise CannotDraw("Save the Blender file first: marks are baked to a file beside it")
-        numbers = range(scene.frame_start, scene.frame_end + 1)
+        held = properties.style_of(scene).animation.held(scene.frame_start)
+        numbers = range(held, scene.frame_end + 1)
         with progress(context) as tell:
             found = as_rendered.look(context, partial(_handed_on, numbers=numbers, tell=tell))
         if not any(content for content, _ in found.values()):
@@ -42,7 +43,7 @@ class FOVEA_OT_bake_marks(OfRender, bpy.types.Operator):
 def _handed_on(engine, depsgraph, numbers, tell):
     """{frame number: (content, marks)} for a final render's depsgraph."""
     core, settings = native.load(), followed.of(depsgraph.scene).fovea
-    cancel, current = core.Cancel(), depsgraph.scene.frame_current
+    cancel, current = core.Cancel(), depsgraph.scene.frame_current + depsgraph.scene.frame_subframe
     backend, visibility = methods.choose(engine, settings, in_viewport=False)
     options = pipeline.options(visibility=visibility, **methods.quality(settings))
     made, before, seen_before, marks = {}, None, None, None

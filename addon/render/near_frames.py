@@ -73,12 +73,12 @@ _frames = Frames()
 _rendering = False  # whether a render is in progress, during which a scene changes by the frame alone
 
 
-def near(engine, depsgraph, offsets, look):
+def near(engine, depsgraph, offsets, look, kept=()):
     """The Near of the frame that is rendered, of the frames at these offsets, ascending. look() gives the Looked of the
     frame that the depsgraph is evaluated at. Left out are frames whose lines do not answer to others, and those with
-    another active camera, which are beyond a cut."""
+    another active camera, which are beyond a cut. `kept`: offsets of frames that stay, too."""
     lines, own = {}, _key(engine, depsgraph)
-    _frames.leave(own, min(offsets[0], 0), max(offsets[-1], 0))
+    _frames.leave(own, min(*offsets, *kept, 0), max(*offsets, *kept, 0))
     with other_frames(engine, depsgraph.scene) as go:
         for away in offsets:
             key = (*own[:-1], own[-1] + away)

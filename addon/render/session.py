@@ -187,12 +187,16 @@ def lines_near(engine, depsgraph, styled, backend, options, cancel=None, moments
 
     def near(**asked):
         offsets = pipeline.frames_near(chosen, options, frame, **asked)
-        return near_frames.near(engine, depsgraph, offsets, look) if offsets else None
+        kept = pipeline.frames_near(chosen, options, frame)
+        return near_frames.near(engine, depsgraph, offsets, look, kept) if offsets else None
 
     if chosen.animation.marks_baked and (found := near(itself=True, keys=False)):
         baked = baked_marks.of(followed.of(depsgraph.scene), depsgraph.view_layer, frame)
-        if 0 not in found.lines or (baked and found.lines[0].marks_content == baked[0]):
-            return replace(found, marks=baked and baked[1])
+        lines = found.lines.get(0)
+        if not lines or not lines.marks_content:
+            return found
+        if baked and lines.marks_content == baked[0] and len(lines.own_marks()) == len(baked[1]):
+            return replace(found, marks=baked[1])
         report_once(engine, NOT_BAKED)
     found = near(itself=moments)
     return found and replace(found, since_key=chosen.animation.since_key(frame))

@@ -134,9 +134,9 @@ def test_frames_around_it_are_asked_for_vectors_too(turning, tmp_path):
     """The frames around it are asked for them, too."""
     asked, near = [], near_frames.near
 
-    def asking(engine, depsgraph, offsets, look):
+    def asking(engine, depsgraph, offsets, *others):
         asked.append(offsets)
-        return near(engine, depsgraph, offsets, look)
+        return near(engine, depsgraph, offsets, *others)
 
     near_frames.near = asking
     try:
@@ -189,7 +189,10 @@ def test_baked_marks_of_other_lines_are_handed_on_instead_and_it_is_told_once(ba
     assert told == [True, True]
 
 
-@pytest.mark.parametrize("broken", ["cut off", "no zip", "of objects", "numbers", "not finite", "gone"])
+BROKEN = ("cut off", "no zip", "of objects", "numbers", "shifted", "not finite", "huge", "flipped", "gone")
+
+
+@pytest.mark.parametrize("broken", BROKEN)
 def test_a_broken_file_of_marks_is_as_none(baked, tmp_path, broken):
     own_style(baked).animation.marks_baked = False
     handed_on = drawn_at(baked, 5, tmp_path)
@@ -206,6 +209,14 @@ def test_a_broken_file_of_marks_is_as_none(baked, tmp_path, broken):
         np.savez(path, **(columns | {"marks": np.array([print], object)}))
     elif broken == "numbers":
         np.savez(path, **(columns | {"offsets": columns["offsets"] + 7}))
+    elif broken == "shifted":
+        columns["offsets"][4] += 1  # between the fourth frame and the fifth
+        np.savez(path, **columns)
+    elif broken == "huge":
+        np.savez(path, **(columns | {"marks": np.full_like(columns["marks"], 1e300)}))
+    elif broken == "flipped":
+        part = slice(len(whole) - 3000, len(whole) - 2800)
+        path.write_bytes(whole[: part.start] + bytes(255 - byte for byte in whole[part]) + whole[part.stop :])
     elif broken == "not finite":
         np.savez(path, **(columns | {"marks": np.full_like(columns["marks"], np.nan)}))
     else:

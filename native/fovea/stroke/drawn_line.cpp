@@ -106,12 +106,12 @@ bool LineShaper::shape(Index run, DrawnLine& out) const {
     const Index path = clipped.path[piece];
     const style::Pen& look = pens[pen].look;
     // Paths of the view are others in each frame: marks that are handed on begin at places of their own.
-    const std::uint64_t own_seed = has_marks(marks, piece) ? 0 : ids.empty() ? path : ids[path];
+    const Index away = pens[pen].away == none ? pen : pens[pen].away;
+    const bool anchored = is_anchored(pens[pen]) || is_anchored(pens[away]);
+    const std::uint64_t own_seed = anchored && has_marks(marks, piece) ? 0 : ids.empty() ? path : ids[path];
     const std::uint64_t seed = own_seed + static_cast<Index>(look.seed);
     const Hand hand(seed, moment.boil, moment.boil_drawing);
-    const Index away = pens[pen].away == none ? pen : pens[pen].away;
-    if (is_anchored(pens[pen]) || is_anchored(pens[away]))
-        PathAnchor(clipped, paths, marks, piece, mark_length_px(pens[pen])).place(line);
+    if (anchored) PathAnchor(clipped, paths, marks, piece, mark_length_px(pens[pen])).place(line);
     wobble(line, float(look.wobble), float(look.wobble_length), hand);
     const int free = clipped.free_ends[piece];
     const PenPair pair{pens[pen], pens[away]};

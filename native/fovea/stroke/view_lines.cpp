@@ -207,6 +207,7 @@ std::size_t ViewLines::bytes() const {
 }
 
 std::uint64_t ViewLines::content() const {
+    if (places.empty()) return 0;
     std::uint64_t hash = hash_of(In<Index>(rows.offsets));
     const Array<double> own = parallel_map<double>(places.size(), [&](std::size_t j) { return places[j].own; });
     const Array<dvec2> px = parallel_map<dvec2>(places.size(), [&](std::size_t j) { return places[j].px; });

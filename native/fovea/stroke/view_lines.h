@@ -63,7 +63,7 @@ struct ViewLines {
     std::unique_ptr<HandedOn> handed_on = std::make_unique<HandedOn>();
 
     std::size_t bytes() const;  ///< about
-    /// Hash of where its places are and of their own marks; not 0.
+    /// Hash of where its places are and of their own marks; 0: there are none.
     std::uint64_t content() const;
 };
 
