@@ -8,6 +8,7 @@ import sys
 from pathlib import Path
 
 import bpy
+import the_addon
 from the_addon import add_camera, box_mesh, empty_scene, fovea, lines_of, new_object, use_style
 
 sys.path.insert(0, str(Path(__file__).parents[2] / "blender_scripts"))
@@ -15,6 +16,7 @@ sys.path.insert(0, str(Path(__file__).parents[2] / "blender_scripts"))
 from picture import pixels as pixels_of
 
 SIZE = (160, 90)
+session = the_addon.part("render.session")
 
 
 def box_scene():
@@ -46,6 +48,26 @@ def drawn(scene, path):
     scene.render.filepath = str(path)
     bpy.ops.render.render(write_still=True)
     return pixels_of(path)
+
+
+def exact_stills(scene, width, height):
+    """Has Fovea render PNG files of so many pixels whose values are the picture's, to 16 bits."""
+    render = scene.render
+    render.engine, render.resolution_x, render.resolution_y, render.dither_intensity = "FOVEA", width, height, 0.0
+    render.image_settings.file_format, render.image_settings.color_depth = "PNG", "16"
+    scene.view_settings.view_transform = "Standard"
+
+
+def frames_looked_at(monkeypatch):
+    """List to which each frame is appended whose lines a final render finds for those near it."""
+    frames, look = [], session._look
+
+    def looking(engine, depsgraph, *arguments):
+        frames.append(depsgraph.scene.frame_current)
+        return look(engine, depsgraph, *arguments)
+
+    monkeypatch.setattr(session, "_look", looking)
+    return frames
 
 
 def drawn_at(scene, frame, folder):

@@ -9,7 +9,7 @@ from pathlib import Path
 import bpy
 import numpy as np
 import pytest
-from pictures import drawn_at, drawn_at_once, ink
+from pictures import drawn_at, drawn_at_once, exact_stills, frames_looked_at, ink
 from the_addon import add_camera, box_mesh, empty_scene, grows, lines_of, new_object, own_style, part, use_style
 
 sys.path.insert(0, str(Path(__file__).parents[2] / "blender_scripts"))
@@ -34,10 +34,7 @@ def key_spacing(scene, frame, value):
 def fence():
     """Posts in a row and a camera that goes along them, whose lines crowd each other more and more."""
     scene = empty_scene()
-    scene.render.engine, scene.render.resolution_x, scene.render.resolution_y = "FOVEA", 320, 180
-    scene.render.dither_intensity = 0.0
-    scene.render.image_settings.file_format, scene.render.image_settings.color_depth = "PNG", "16"
-    scene.view_settings.view_transform = "Standard"
+    exact_stills(scene, 320, 180)
     mesh = box_mesh(0.3)
     for k in range(14):
         new_object(mesh, f"Post{k:02}", (0.9 * k - 6, 0.5 * k, 0)).scale.z = 6
@@ -73,14 +70,7 @@ def test_a_frame_alone_is_that_of_the_animation_either_way(fence, tmp_path):
 @pytest.fixture
 def looked(monkeypatch):
     """Frames whose lines are found, in order."""
-    frames, look = [], session._look
-
-    def looking(engine, depsgraph, *arguments):
-        frames.append(depsgraph.scene.frame_current)
-        return look(engine, depsgraph, *arguments)
-
-    monkeypatch.setattr(session, "_look", looking)
-    return frames
+    return frames_looked_at(monkeypatch)
 
 
 def test_the_lines_of_a_frame_are_found_once_in_an_animation(fence, tmp_path, looked):

@@ -7,7 +7,7 @@ import random
 import bpy
 import numpy as np
 import pytest
-from pictures import drawn_at, drawn_at_once, ink
+from pictures import drawn_at, drawn_at_once, exact_stills, frames_looked_at, ink
 from the_addon import add_camera, empty_scene, only_lines, own_style, part, use_style
 
 near_frames, session = part("render.near_frames"), part("render.session")
@@ -19,10 +19,7 @@ APART = 3  # frames between keys, the first of which is frame 1
 def turning():
     """A monkey that turns and bends before a camera, in dashes."""
     scene = empty_scene()
-    scene.render.engine, scene.render.resolution_x, scene.render.resolution_y = "FOVEA", 240, 160
-    scene.render.dither_intensity = 0.0
-    scene.render.image_settings.file_format, scene.render.image_settings.color_depth = "PNG", "16"
-    scene.view_settings.view_transform = "Standard"
+    exact_stills(scene, 240, 160)
     bpy.ops.mesh.primitive_monkey_add()
     monkey = bpy.context.object
     bend = monkey.modifiers.new("Bend", "SIMPLE_DEFORM")
@@ -60,13 +57,7 @@ def test_a_frame_is_the_same_alone_in_order_backwards_and_shuffled(turning, tmp_
 
 
 def test_frames_from_a_key_to_the_next_one_are_asked_and_each_is_found_once(turning, tmp_path, monkeypatch):
-    frames, look = [], session._look
-
-    def looking(engine, depsgraph, *arguments):
-        frames.append(depsgraph.scene.frame_current)
-        return look(engine, depsgraph, *arguments)
-
-    monkeypatch.setattr(session, "_look", looking)
+    frames = frames_looked_at(monkeypatch)
     drawn_at(turning, 4, tmp_path)
     assert frames == []  # a key
     drawn_at(turning, 5, tmp_path)
@@ -159,13 +150,7 @@ def baked(turning, tmp_path):
 
 
 def test_baked_marks_ask_for_no_other_frame_and_are_the_same_in_any_order(baked, tmp_path, monkeypatch):
-    frames, look = [], session._look
-
-    def looking(engine, depsgraph, *arguments):
-        frames.append(depsgraph.scene.frame_current)
-        return look(engine, depsgraph, *arguments)
-
-    monkeypatch.setattr(session, "_look", looking)
+    frames = frames_looked_at(monkeypatch)
     alone = {frame: drawn_at(baked, frame, tmp_path) for frame in FRAMES}
     assert frames == list(FRAMES)
     together = drawn_at_once(baked, FRAMES, tmp_path)

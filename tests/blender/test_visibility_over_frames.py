@@ -7,10 +7,10 @@ import random
 import bpy
 import numpy as np
 import pytest
-from pictures import drawn_at, drawn_at_once, ink
+from pictures import drawn_at, drawn_at_once, exact_stills, frames_looked_at, ink
 from the_addon import add_camera, box_mesh, empty_scene, new_object, only_lines, own_style, part, use_style
 
-near_frames, session = part("render.near_frames"), part("render.session")
+near_frames = part("render.near_frames")
 FRAMES = range(1, 6)
 
 
@@ -23,10 +23,7 @@ def over(scene, frames, vanish="FADE"):
 def passing():
     """A pole that passes before a row of posts, which the camera passes, too."""
     scene = empty_scene()
-    scene.render.engine, scene.render.resolution_x, scene.render.resolution_y = "FOVEA", 240, 160
-    scene.render.dither_intensity = 0.0
-    scene.render.image_settings.file_format, scene.render.image_settings.color_depth = "PNG", "16"
-    scene.view_settings.view_transform = "Standard"
+    exact_stills(scene, 240, 160)
     mesh = box_mesh(0.5)
     for k in range(6):
         new_object(mesh, f"Post{k}", (1.4 * k - 3.5, 2, 0)).scale.z = 5
@@ -72,13 +69,7 @@ def test_without_it_no_other_frame_is_asked(passing, tmp_path, monkeypatch):
 
 
 def test_the_lines_of_a_frame_are_found_once_in_an_animation(passing, tmp_path, monkeypatch):
-    frames, look = [], session._look
-
-    def looking(engine, depsgraph, *arguments):
-        frames.append(depsgraph.scene.frame_current)
-        return look(engine, depsgraph, *arguments)
-
-    monkeypatch.setattr(session, "_look", looking)
+    frames = frames_looked_at(monkeypatch)
     drawn_at_once(passing, FRAMES, tmp_path)
     assert sorted(frames) == sorted(set(range(FRAMES[0] - 2, FRAMES[-1] + 3)) - {FRAMES[0]})
 

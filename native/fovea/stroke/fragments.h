@@ -47,7 +47,7 @@ class Fragments {
         const Pen& pen = pens_[strokes_.pen[c[0]]];
         const Index away = pen.away;
         const Pen& other = away == none ? pen : pens_[away];
-        const bool fixed = pen.look.texture_anchor == Anchor::path || other.look.texture_anchor == Anchor::path;
+        const bool fixed = is_anchored(pen) || is_anchored(other);
         const bool tinted = strokes_.mix[c[0]].z + strokes_.mix[c[1]].z + strokes_.mix[c[2]].z > 0.0f;
         const auto mixes = over(away != none || tinted, shape, strokes_.mix, c);
         const auto colors = over(!strokes_.color.empty(), shape, strokes_.color, c);
@@ -81,8 +81,7 @@ class Fragments {
     float ink_of(Index number, const vec4& f, const vec2& anchor) const {
         const Pen& pen = pens_[number];
         if (pen.texture == none) return 1.0f;
-        if (pen.look.texture_anchor == Anchor::path)
-            return anchored_ink(inks_[number], anchor.x, f[1], f[2], anchor.y, pen.texture_length_px);
+        if (is_anchored(pen)) return anchored_ink(inks_[number], anchor.x, f[1], f[2], anchor.y, pen.texture_length_px);
         return ink(inks_[number], f[0] / pen.texture_length_px, f[1], f[2]);
     }
 

@@ -69,7 +69,7 @@ PenTable pen_table(In<Pen> pens, In<PenTexture> textures) {
         const PenTexture& fitted = inks[i];
         table.pens.push_back(vec4(vec3(pen.look.color), float(pen.away == none ? i : pen.away)));
         table.pens.push_back(vec4(pen.texture_length_px, pen.look.cap == Cap::round ? 1.0f : 0.0f,
-                                  float(table.ink.size()), pen.look.texture_anchor == Anchor::path ? 1.0f : 0.0f));
+                                  float(table.ink.size()), is_anchored(pen) ? 1.0f : 0.0f));
         table.pens.push_back(vec4(fitted.width, fitted.height, 0.0f, 0.0f));
         table.pens.push_back(vec4(vec3(pen.look.second_color), 0.0f));
         table.ink.insert(table.ink.end(), fitted.ink.begin(), fitted.ink.end());

@@ -140,10 +140,6 @@ void fill(std::span<double> wanted, In<double> trust) {
 
 }  // namespace
 
-Array<double> own_marks(const ViewLines& lines) {
-    return parallel_map<double>(lines.places.size(), [&](std::size_t j) { return lines.places[j].own; });
-}
-
 Array<double> handed_on(const ViewLines& now, const ViewLines& there, In<double> values) {
     check(values.size() == there.places.size(), "marks: one per place of the other lines expected");
     const Array<Found> found = found_on(now, there);
@@ -156,7 +152,7 @@ Array<double> handed_on(const ViewLines& now, const ViewLines& there, In<double>
         std::vector<double> trust(size);
         // Arc length that ascends where the values do; else, where its own do.
         std::vector<double> along(size);
-        double sum = 0.0;
+        bool any = false;
         for (Index k = 0; k < size; ++k) {
             const double step = own[begin + k] - own[begin + std::max(k, Index(1)) - 1];
             const Found& at = found[begin + k];
@@ -165,9 +161,10 @@ Array<double> handed_on(const ViewLines& now, const ViewLines& there, In<double>
             const double ascent = at.same ? slope : -slope;
             along[k] = (k > 0 ? along[k - 1] : own[begin]) + (counts ? std::copysign(step, ascent) : step);
             out[k] = counts ? values[at.place] + slope * at.beyond - along[k] : 0.0;
-            sum += trust[k] = counts ? at.trust : 0.0;
+            trust[k] = counts ? at.trust : 0.0;
+            any |= counts;
         }
-        if (sum > 0.0) {
+        if (any) {
             go_on(out, trust, now.period[q]);
             fill(out, trust);
         }
@@ -192,15 +189,14 @@ Array<double> on_the_way(const ViewLines& lines, In<double> last, In<double> nex
 
 /// Values of the places of the frame at 0, handed on from a key at another offset, frame by frame; then to a moment of
 /// it, unless that is null. Each frame of the way keeps its own: the next frames ask for them again.
-template <typename AtFrame>
-Array<double> handed_along(const AtFrame& lines_at, int key, const ViewLines* moment) {
-    const ViewLines* here = lines_at(key);
+Array<double> handed_along(const std::map<int, const ViewLines*>& lines, int key, const ViewLines* moment) {
+    const ViewLines* here = lines.at(key);
     auto values = std::make_shared<const Array<double>>(own_marks(*here));
     std::uint64_t chain = here->number;
     while (key != 0) {
         const ViewLines* const before = here;
         key += key < 0 ? 1 : -1;
-        here = lines_at(key);
+        here = lines.at(key);
         chain = hash_numbers(chain, here->number);
         auto kept = here->handed_on->find(chain);
         if (!kept) {
@@ -219,24 +215,23 @@ Marks marks_in_time(std::shared_ptr<const ViewLines> now, In<ViewNear> near, int
     std::map<int, const ViewLines*> lines;
     for (const auto& [away, of] : near)
         if (of) lines.emplace(away, of.get());
-    const bool is_moment = !lines.emplace(0, now.get()).second;
+    const bool is_itself = lines.emplace(0, now.get()).second;
+    const ViewLines* const moment = is_itself ? nullptr : now.get();
+    Marks marks{now, {}, {}, {}, 0.0};
     if (!baked.empty()) {
         const ViewLines& itself = *lines[0];
         check(baked.size() == itself.places.size(), "marks: those baked are not of these lines");
-        Marks marks{now, {}, {baked.begin(), baked.end()}, {}, 0.0};
-        if (is_moment) marks.last = handed_on(*now, itself, marks.last);
+        marks.last = moment ? handed_on(*moment, itself, baked) : Array<double>(baked.begin(), baked.end());
         marks.at = marks.last;
         return marks;
     }
     int first = 0, last = 0;
     while (first > -since_key && lines.contains(first - 1)) --first;
     while (last < frames - since_key && lines.contains(last + 1)) ++last;
-    Marks marks{now, {}, {}, {}, 0.0};
-    const auto at_frame = [&](int k) { return lines[k]; };
-    marks.last = handed_along(at_frame, first, is_moment ? now.get() : nullptr);
+    marks.last = handed_along(lines, first, moment);
     marks.at = marks.last;
     if (first == 0 || last < frames - since_key) return marks;
-    marks.next = handed_along(at_frame, last, is_moment ? now.get() : nullptr);
+    marks.next = handed_along(lines, last, moment);
     marks.share = double(-first) / (last - first);
     marks.at = on_the_way(*now, marks.last, marks.next, marks.share);
     return marks;

@@ -33,9 +33,6 @@ using ViewNear = std::pair<int, std::shared_ptr<const ViewLines>>;
 Marks marks_in_time(std::shared_ptr<const ViewLines> now, In<ViewNear> near, int since_key, int frames,
                     In<double> baked = {});
 
-/// Per place: Place::own.
-Array<double> own_marks(const ViewLines& lines);
-
 /// Marks of the places of a frame, handed on from those of one beside it; on lines that are not there, those of its
 /// own.
 Array<double> handed_on(const ViewLines& now, const ViewLines& there, In<double> marks);

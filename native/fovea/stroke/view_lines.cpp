@@ -209,10 +209,14 @@ std::size_t ViewLines::bytes() const {
 std::uint64_t ViewLines::content() const {
     if (places.empty()) return 0;
     std::uint64_t hash = hash_of(In<Index>(rows.offsets));
-    const Array<double> own = parallel_map<double>(places.size(), [&](std::size_t j) { return places[j].own; });
+    const Array<double> own = own_marks(*this);
     const Array<dvec2> px = parallel_map<dvec2>(places.size(), [&](std::size_t j) { return places[j].px; });
     hash = hash_of(In<dvec2>(px), hash_of(In<double>(own), hash));
     return std::max<std::uint64_t>(hash, 1);
+}
+
+Array<double> own_marks(const ViewLines& lines) {
+    return parallel_map<double>(lines.places.size(), [&](std::size_t j) { return lines.places[j].own; });
 }
 
 ViewLines view_lines(const ClippedPaths& clipped, const Paths& paths, const Scene& scene, const View& view,

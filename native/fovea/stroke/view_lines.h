@@ -67,6 +67,9 @@ struct ViewLines {
     std::uint64_t content() const;
 };
 
+/// Per place: Place::own.
+Array<double> own_marks(const ViewLines& lines);
+
 /// `period`: per line set, length of the marks of its pen in px; 0: its lines have none, and no places. Lines that are
 /// found in the image, and those that make a tone, have none either.
 ViewLines view_lines(const ClippedPaths& clipped, const Paths& paths, const Scene& scene, const View& view,
