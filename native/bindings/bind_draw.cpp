@@ -144,12 +144,12 @@ void bind_backend(py::module_& m) {
 void bind_found_lines(py::module_& m) {
     py::class_<NearLines>(m, "NearLines", "Lines of a frame as neighboring frames need them.")
         .def_property_readonly(
-            "marks_content", [](const NearLines& lines) { return lines.of_view ? lines.of_view->content() : 0; },
+            "marks_content", [](const NearLines& lines) { return lines.marked ? lines.marked->content() : 0; },
             "Hash of the lines that marks are handed on along; 0: there are none.")
         .def(
             "own_marks",
             [](const NearLines& lines) {
-                return to_numpy(lines.of_view ? own_marks(*lines.of_view) : Array<double>());
+                return to_numpy(lines.marked ? lines.marked->own : Array<double>());
             },
             "(n,) float64 places of marks along them, in pixels, as the frame alone has them.")
         .def(
@@ -157,8 +157,8 @@ void bind_found_lines(py::module_& m) {
             [](const NearLines& lines, const NearLines& before, const Arg<double>& marks) {
                 const In<double> values = borrow<double>(marks, "marks");
                 return to_numpy(without_gil([&] {
-                    return lines.of_view && before.of_view ? handed_on(*lines.of_view, *before.of_view, values)
-                                                           : Array<double>();
+                    return lines.marked && before.marked ? handed_on(*lines.marked, *before.marked, values)
+                                                         : Array<double>();
                 }));
             },
             py::arg("before"), py::arg("marks"),

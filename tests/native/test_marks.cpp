@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <fovea/draw/frame.h>
+#include <fovea/stroke/anchor.h>
 #include <fovea/style/json.h>
 
 #include "drawing.h"
@@ -14,7 +15,7 @@ using namespace fovea::drawing;
 namespace {
 
 constexpr double period = 18.0;
-using Lines = std::shared_ptr<const ViewLines>;
+using Lines = std::shared_ptr<const MarkedLines>;
 
 meshes::Mesh bumps(double phase = 0.0) {
     return meshes::relief(90,
@@ -24,8 +25,10 @@ meshes::Mesh bumps(double phase = 0.0) {
 Lines lines_of(const std::vector<Placement>& placements, const View& view,
                const std::vector<const char*>& names = {"smooth_contour"}, double length = period) {
     const Drawing drawing(placements, view, {line_set(names)});
-    return std::make_shared<ViewLines>(
-        view_lines(drawing.clipped, drawing.paths, drawing.scene, view, std::vector<double>{length}));
+    const auto of_view =
+        std::make_shared<ViewLines>(view_lines(drawing.clipped, drawing.paths, drawing.scene, view));
+    return std::make_shared<MarkedLines>(
+        marked_lines(of_view, drawing.clipped, drawing.paths, drawing.scene, std::vector<double>{length}));
 }
 
 View orbit(double degrees) {
@@ -42,7 +45,7 @@ std::vector<Lines> turning(int count) {
 
 /// Of one of some frames, the first of which is a key.
 Marks marks_at(const std::vector<Lines>& frames, int k, int apart) {
-    std::vector<ViewNear> near;
+    std::vector<MarkedNear> near;
     for (int i = 0; i < int(frames.size()); ++i)
         if (i != k && i / apart * apart >= k / apart * apart - apart) near.emplace_back(i - k, frames[i]);
     return marks_in_time(frames[k], near, k % apart, apart);
@@ -54,7 +57,7 @@ double wrapped(double difference) { return difference - period * std::round(diff
 /// ascending. `moved`: of a point of the object, where it was in the image of the earlier one.
 template <typename Moved>
 std::vector<double> slides(const Marks& before, const Marks& after, const Moved& moved) {
-    const ViewLines &a = *before.lines, &b = *after.lines;
+    const ViewLines &a = *before.of->lines, &b = *after.of->lines;
     std::vector<double> found;
     for (std::size_t j = 0; j < b.places.size(); ++j) {
         const dvec2 px = moved(b.places[j]);
@@ -75,7 +78,7 @@ std::vector<double> slides(const Marks& before, const Marks& after, const Moved&
 }
 
 std::vector<double> slides(const Marks& before, const Marks& after) {
-    const ViewLines& a = *before.lines;
+    const ViewLines& a = *before.of->lines;
     return slides(before, after, [&](const ViewLines::Place& place) {
         return to_pixels(a.view, a.view.view_to_clip * (a.placed[0].object_to_view * dvec4(place.position, 1.0)));
     });
@@ -90,9 +93,9 @@ double share_of(const std::vector<double>& sorted, double share) {
 TEST(Marks, AreThoseOfTheFrameAloneInAKeyAndWithoutFramesNearIt) {
     const std::vector<Lines> frames = turning(3);
     for (const Marks& marks : {marks_at(frames, 0, 8), marks_in_time(frames[1], {}, 1, 8)}) {
-        ASSERT_FALSE(marks.lines->places.empty());
+        ASSERT_FALSE(marks.of->own.empty());
         EXPECT_EQ(marks.share, 0.0);
-        for (std::size_t j = 0; j < marks.at.size(); ++j) EXPECT_EQ(marks.at[j], marks.lines->places[j].own);
+        for (std::size_t j = 0; j < marks.at.size(); ++j) EXPECT_EQ(marks.at[j], marks.of->own[j]);
     }
 }
 
@@ -100,7 +103,7 @@ TEST(Marks, StayWithTheSurfaceAfterAKey) {
     const std::vector<Lines> frames = turning(8);
     for (int k = 1; k < 8; ++k) {
         const std::vector<double> found = slides(marks_at(frames, k - 1, 64), marks_at(frames, k, 64));
-        ASSERT_GT(found.size(), 0.95 * frames[k]->places.size());
+        ASSERT_GT(found.size(), 0.95 * frames[k]->own.size());
         EXPECT_LT(share_of(found, 0.5), 0.02) << k;
         EXPECT_LT(share_of(found, 0.9), 0.5) << k;
     }
@@ -130,7 +133,7 @@ TEST(Marks, GoOverToThoseOfTheNextKeyByAtMostHalfAPeriodInAllTheFrames) {
 TEST(Marks, DoNotDependOnFramesBeyondTheirKeys) {
     const std::vector<Lines> frames = turning(9);
     const auto with = [&](int from, int to) {
-        std::vector<ViewNear> near;
+        std::vector<MarkedNear> near;
         for (int i = from; i < to; ++i)
             if (i != 6) near.emplace_back(i - 6, frames[i]);
         return marks_in_time(frames[6], near, 2, 4).at;
@@ -142,14 +145,14 @@ TEST(Marks, DoNotDependOnFramesBeyondTheirKeys) {
 TEST(Marks, BeginAtACutAndHoldWhatTheyAreTowardsOne) {
     const std::vector<Lines> frames = turning(5);
     const auto at = [&](int k, int first, int last) {
-        std::vector<ViewNear> near;
+        std::vector<MarkedNear> near;
         for (int i = first; i <= last; ++i)
             if (i != k) near.emplace_back(i - k, frames[i]);
         return marks_in_time(frames[k], near, k, 4);
     };
     const Marks after = at(2, 2, 4);  // frames 0 and 1 are beyond a cut
     EXPECT_EQ(after.share, 0.0);
-    for (std::size_t j = 0; j < after.at.size(); ++j) EXPECT_EQ(after.at[j], frames[2]->places[j].own);
+    for (std::size_t j = 0; j < after.at.size(); ++j) EXPECT_EQ(after.at[j], frames[2]->own[j]);
     EXPECT_EQ(at(3, 2, 4).share, 0.5);  // of the way from the cut to the key
     const Marks towards = at(2, 0, 3);  // frame 4 is
     EXPECT_EQ(towards.share, 0.0);
@@ -159,7 +162,7 @@ TEST(Marks, BeginAtACutAndHoldWhatTheyAreTowardsOne) {
 
 TEST(Marks, OfAMomentAreThoseOfItsFrameWhichIsThenAmongTheNeighbors) {
     const std::vector<Lines> frames = turning(5);
-    std::vector<ViewNear> near;
+    std::vector<MarkedNear> near;
     for (int i = 0; i < 5; ++i) near.emplace_back(i - 2, frames[i]);
     const Marks still = marks_in_time(frames[2], near, 2, 4);
     const Marks itself = marks_at(frames, 2, 4);
@@ -184,17 +187,17 @@ TEST(Marks, MoveWithASurfaceThatDeforms) {
         placed.surface = surface;
         frames.push_back(lines_of({placed}, orbit(10)));
         at.push_back(mesh.positions);
-        ASSERT_FALSE(frames.back()->placed[0].positions.empty());
+        ASSERT_FALSE(frames.back()->lines->placed[0].positions.empty());
     }
     for (int k = 1; k < 6; ++k) {
-        const ViewLines& a = *frames[k - 1];
+        const ViewLines& a = *frames[k - 1]->lines;
         const auto moved = [&](const ViewLines::Place& place) {
             dvec3 sum(0.0);
             for (int c = 0; c < 3; ++c) sum += place.shares[c] * dvec3(at[k - 1][place.vertices[c]]);
             return to_pixels(a.view, a.view.view_to_clip * (a.placed[0].object_to_view * dvec4(sum, 1.0)));
         };
         const std::vector<double> found = slides(marks_at(frames, k - 1, 64), marks_at(frames, k, 64), moved);
-        ASSERT_GT(found.size(), 0.9 * frames[k]->places.size());
+        ASSERT_GT(found.size(), 0.9 * frames[k]->own.size());
         EXPECT_LT(share_of(found, 0.5), 0.05) << k;
         EXPECT_LT(share_of(found, 0.9), 1.0) << k;
     }
@@ -208,10 +211,11 @@ TEST(Marks, OfClosedLinesHaveWholePeriods) {
     for (int k = 0; k < 4; ++k) {
         const Marks marks = marks_at(frames, k, 3);
         Index closed = 0;
-        for (Index q = 0; q < marks.lines->rows.count(); ++q) {
-            if (!marks.lines->closed[q] || marks.lines->rows.size(q) == 0) continue;
+        const ViewLines& lines = *marks.of->lines;
+        for (Index q = 0; q < lines.rows.count(); ++q) {
+            if (!lines.closed[q] || lines.rows.size(q) == 0) continue;
             ++closed;
-            const double around = marks.last[marks.lines->rows.end(q) - 1] - marks.last[marks.lines->rows.begin(q)];
+            const double around = marks.last[lines.rows.end(q) - 1] - marks.last[lines.rows.begin(q)];
             EXPECT_GT(std::abs(around), 10 * period);
             EXPECT_NEAR(wrapped(around), 0.0, 1e-6) << k;
         }
@@ -222,8 +226,8 @@ TEST(Marks, OfClosedLinesHaveWholePeriods) {
 TEST(Marks, OfAClosedLineShorterThanAPeriodHaveOne) {
     const Lines lines =
         lines_of({place(meshes::sphere(40), scaled(dvec3(0.02)), 3)}, perspective({0, -9, 1}, {0, 0, 0}, 60));
-    ASSERT_GT(lines->places.size(), 2u);
-    EXPECT_NEAR(std::abs(lines->places.back().own - lines->places.front().own), period, 1e-6);
+    ASSERT_GT(lines->own.size(), 2u);
+    EXPECT_NEAR(std::abs(lines->own.back() - lines->own.front()), period, 1e-6);
 }
 
 TEST(Marks, RunTheSameWayHoweverALineIsChained) {
@@ -231,25 +235,31 @@ TEST(Marks, RunTheSameWayHoweverALineIsChained) {
     for (const double degrees : {0.0, 90.0, 180.0, 270.0})
         for (const double mirror : {1.0, -1.0}) {
             const Lines lines = lines_of({place(meshes::sphere(40), scaled({mirror, 1, 1}), 3)}, orbit(degrees));
-            ASSERT_GT(lines->places.size(), 20u);
+            const auto& places = lines->lines->places;
+            ASSERT_GT(places.size(), 20u);
             dvec2 middle(0.0);
-            for (const auto& place : lines->places) middle += place.px / double(lines->places.size());
+            for (const auto& place : places) middle += place.px / double(places.size());
             double around = 0.0;
-            for (Index j = 0; j + 1 < lines->places.size(); ++j) {
-                const auto &here = lines->places[j], &next = lines->places[j + 1];
+            for (Index j = 0; j + 1 < places.size(); ++j) {
+                const auto &here = places[j], &next = places[j + 1];
                 if (here.piece == next.piece)
-                    around += cross(here.px - middle, next.px - middle) * (next.own > here.own ? 1.0 : -1.0);
+                    around += cross(here.px - middle, next.px - middle) *
+                              (lines->own[j + 1] > lines->own[j] ? 1.0 : -1.0);
             }
             EXPECT_GT(around, 0.0) << degrees << ", " << mirror;
         }
 }
 
-TEST(Marks, OfLinesThatHaveNonePartsOfTonesAndLinesOfTheMeshHaveNoPlaces) {
+TEST(Marks, OfLinesWithoutThemAreNowhereAndPartsOfTonesAndLinesOfTheMeshHaveNoPlaces) {
     const std::vector<Placement> scene{place(bumps(), dmat4(1.0), 7), place(meshes::box(), moved({3, 0, 0}), 8)};
-    EXPECT_FALSE(lines_of(scene, orbit(10))->places.empty());
-    EXPECT_TRUE(lines_of(scene, orbit(10), {"smooth_contour"}, 0.0)->places.empty());
-    EXPECT_TRUE(lines_of(scene, orbit(10), {"crease", "border"})->places.empty());
-    EXPECT_TRUE(lines_of(scene, orbit(10), {"hatching"})->places.empty());
+    EXPECT_FALSE(lines_of(scene, orbit(10))->own.empty());
+    EXPECT_NE(lines_of(scene, orbit(10))->content(), 0u);
+    const Lines without = lines_of(scene, orbit(10), {"smooth_contour"}, 0.0);
+    EXPECT_EQ(without->content(), 0u);
+    const Marks marks = marks_in_time(without, std::vector<MarkedNear>{{-1, lines_of(scene, orbit(9.75))}}, 1, 8);
+    for (Index q = 0; q < without->period.size(); ++q) EXPECT_FALSE(has_marks(&marks, q));
+    EXPECT_TRUE(lines_of(scene, orbit(10), {"crease", "border"})->own.empty());
+    EXPECT_TRUE(lines_of(scene, orbit(10), {"hatching"})->own.empty());
 }
 
 TEST(Marks, AreNotHandedOnToAnotherObjectOrDefinition) {
@@ -257,17 +267,11 @@ TEST(Marks, AreNotHandedOnToAnotherObjectOrDefinition) {
         return lines_of({place(bumps(), dmat4(1.0), id)}, orbit(10), {name});
     };
     const auto handed = [&](const Lines& from) {
-        return marks_in_time(of(7, "smooth_contour"), std::vector<ViewNear>{{-1, from}}, 1, 64).at;
+        return marks_in_time(of(7, "smooth_contour"), std::vector<MarkedNear>{{-1, from}}, 1, 64).at;
     };
-    const Lines now = of(7, "smooth_contour");
-    const std::vector<double> own = [&] {
-        std::vector<double> values;
-        for (const auto& place : now->places) values.push_back(place.own);
-        return values;
-    }();
-    const auto equal = [&](const Array<double>& values) { return std::equal(own.begin(), own.end(), values.begin()); };
-    EXPECT_TRUE(equal(handed(of(8, "smooth_contour"))));
-    EXPECT_TRUE(equal(handed(of(7, "suggestive_contour"))));
+    const Array<double> own = of(7, "smooth_contour")->own;
+    EXPECT_EQ(handed(of(8, "smooth_contour")), own);
+    EXPECT_EQ(handed(of(7, "suggestive_contour")), own);
 }
 
 TEST(Marks, OfManyLinesInOnePlaceTakeNoLongerThanTheyAreMany) {
@@ -280,8 +284,8 @@ TEST(Marks, OfManyLinesInOnePlaceTakeNoLongerThanTheyAreMany) {
     }
     const View view = perspective({0, -8, 1}, {0, 0, 0}, 60);
     const Lines lines = lines_of({place(mesh)}, view, {"silhouette", "contour"});
-    ASSERT_GT(lines->places.size(), 100'000u);
-    const Marks marks = marks_in_time(lines, std::vector<ViewNear>{{-1, lines}}, 1, 8);
+    ASSERT_GT(lines->own.size(), 100'000u);
+    const Marks marks = marks_in_time(lines, std::vector<MarkedNear>{{-1, lines}}, 1, 8);
     for (const double at : marks.at) ASSERT_TRUE(std::isfinite(at));
 }
 
@@ -341,10 +345,10 @@ TEST(Marks, OfWobbleDoNotJumpAtAKey) {
 
 TEST(Marks, AreKeptWithWhatAFrameFoundIfAPenHasSome) {
     const auto found = Frame(job_at(0, 4)).found_lines();
-    ASSERT_TRUE(found->lines.of_view);
-    EXPECT_GT(found->bytes(), found->lines.of_view->bytes());
-    EXPECT_FALSE(Frame(job_at(0, 0)).found_lines()->lines.of_view);
+    ASSERT_TRUE(found->lines.marked);
+    EXPECT_GT(found->bytes(), found->lines.marked->lines->bytes());
+    EXPECT_FALSE(Frame(job_at(0, 0)).found_lines()->lines.marked);
     Job on_screen = job_at(0, 4);
     on_screen.style.line_sets[0].pen.texture_anchor = style::Anchor::screen;
-    EXPECT_FALSE(Frame(std::move(on_screen)).found_lines()->lines.of_view);
+    EXPECT_FALSE(Frame(std::move(on_screen)).found_lines()->lines.marked);
 }

@@ -30,14 +30,19 @@ struct Seen {
         for (Index q = 0; q < clipped.path.size(); ++q)
             runs.push(q, clipped.first_arc(q), project::PieceArcs(clipped, lines.paths, q).in_image(until));
     }
-    SeenLines told() const { return seen_lines(clipped, lines.paths, lines.scene, runs); }
+    SeenLines told() const {
+        const auto of_view =
+            std::make_shared<ViewLines>(view_lines(clipped, lines.paths, lines.scene, wires::camera()));
+        return seen_lines(clipped, lines.paths, lines.scene, runs, of_view);
+    }
 };
 
 /// The ramps of the first path, of a frame with these around it.
 std::vector<Ramp> ramps_of(const Seen& now, const std::vector<std::pair<int, const Seen*>>& others, int frames) {
     std::vector<SeenNear> near;
     for (const auto& [away, seen] : others) near.emplace_back(away, std::make_shared<SeenLines>(seen->told()));
-    return seen_in_time(now.lines.paths, now.told(), near, frames)[0];
+    const SeenLines told = now.told();
+    return SeenInTime(now.lines.paths, told, near, frames).ramps()[0];
 }
 
 void expect_ramp(const std::vector<Ramp>& ramps, double from, double to) {
@@ -100,20 +105,13 @@ TEST(SeenInTime, WhatIsOutsideOfAPictureIsNotHiddenThere) {
     EXPECT_TRUE(ramps_of(now, {{-1, &left}, {1, &partly}}, 1).empty());
 }
 
-TEST(SeenInTime, LinesOfTheViewAreAsTheyAre) {
-    Seen now({bent}, 0.5), before({bent}, 0.3);
-    now.lines.paths.of_view = {1};
-    EXPECT_TRUE(now.told().parts.empty());
-    EXPECT_TRUE(ramps_of(now, {{-1, &before}}, 1).empty());
-}
-
 TEST(SeenInTime, HiddenRunsStayWhereNothingIsSeenNow) {
     const Seen now({other}, 0.5), after({other}, 0.7), before({other}, 0.3);
     const Runs all = with_hidden(now.clipped, now.runs, now.lines.paths.placement);
-    const auto ramps = seen_in_time(now.lines.paths, now.told(),
-                                    std::vector<SeenNear>{{-1, std::make_shared<SeenLines>(before.told())},
-                                                          {1, std::make_shared<SeenLines>(after.told())}},
-                                    1);
+    const SeenLines told = now.told();
+    const std::vector<SeenNear> near{{-1, std::make_shared<SeenLines>(before.told())},
+                                     {1, std::make_shared<SeenLines>(after.told())}};
+    const auto ramps = SeenInTime(now.lines.paths, told, near, 1).ramps();
     const project::PieceArcs arcs(now.clipped, now.lines.paths, 0);
     for (const float least : {0.0f, 0.5f, 0.75f}) {
         const Runs found = seen_runs(now.clipped, now.lines.paths, all, ramps, least);

@@ -24,13 +24,14 @@ std::size_t bytes_of(const Structure& structure, const Columns&... groups) {
 }  // namespace
 
 std::size_t FoundLines::bytes() const {
+    const auto of_view = lines.marked ? lines.marked->lines : lines.seen ? lines.seen->of_view : nullptr;
     return bytes_of(*paths, Paths::path_columns, Paths::point_columns) +
            bytes_of(*clipped, ClippedPaths::piece_columns, ClippedPaths::point_columns) +
            bytes_of(*visible, Runs::columns) + bytes_of(*runs, Runs::columns) + bytes_of(samples) + bytes_of(focus) +
            bytes_of(distance) + bytes_of(shown) +
            (lines.shown ? bytes_of(lines.shown->places.samples) + bytes_of(lines.shown->places.parts) : 0) +
            (lines.seen ? bytes_of(lines.seen->stretches.values) + bytes_of(lines.seen->parts) : 0) +
-           (lines.of_view ? lines.of_view->bytes() : 0);
+           (of_view ? of_view->bytes() : 0) + (lines.marked ? bytes_of(lines.marked->own) : 0);
 }
 
 std::shared_ptr<const FoundLines> Frame::found_lines() {
@@ -43,16 +44,25 @@ std::shared_ptr<const FoundLines> Frame::found_lines() {
         found.lines.shown = std::make_shared<ShownLines>(
             elision::shown_lines(*clipped, *paths, *job.scene, *runs, found.shown, job.view.width, job.view.height));
     }
-    if (lasts()) found.lines.seen = std::make_shared<SeenLines>(seen_lines(*clipped, *paths, *job.scene, with_halos()));
-    if (hands_on()) found.lines.of_view = lines_of_view();
+    std::shared_ptr<const ViewLines> of_view;
+    if (lasts() || hands_on()) of_view = lines_of_view();
+    if (lasts()) {
+        SeenLines seen = seen_lines(*clipped, *paths, *job.scene, with_halos(), of_view);
+        if (thins()) seen.shown = values_at_places(*of_view, *clipped, found.shown);
+        found.lines.seen = std::make_shared<SeenLines>(std::move(seen));
+    }
+    if (hands_on()) found.lines.marked = marked(of_view);
     found_ = std::make_shared<FoundLines>(std::move(found));
     return found_;
 }
 
-/// What marks are handed on along.
-std::shared_ptr<const ViewLines> Frame::lines_of_view() {
-    if (found_ && found_->lines.of_view) return found_->lines.of_view;
-    return std::make_shared<ViewLines>(view_lines(*clipped, *paths, *job.scene, job.view, mark_lengths()));
+std::shared_ptr<const ViewLines> Frame::lines_of_view() const {
+    return std::make_shared<ViewLines>(view_lines(*clipped, *paths, *job.scene, job.view));
+}
+
+std::shared_ptr<const MarkedLines> Frame::marked(std::shared_ptr<const ViewLines> of_view) const {
+    return std::make_shared<MarkedLines>(
+        marked_lines(std::move(of_view), *clipped, *paths, *job.scene, mark_lengths()));
 }
 
 void Frame::take_over(std::shared_ptr<const FoundLines> same) {

@@ -18,9 +18,9 @@ namespace fovea::draw {
 
 /// Lines of a frame as frames near it need them.
 struct NearLines {
-    std::shared_ptr<const ShownLines> shown;   ///< for elision over frames; null: nothing is elided
-    std::shared_ptr<const SeenLines> seen;     ///< for visibility over frames; null: it is not
-    std::shared_ptr<const ViewLines> of_view;  ///< for marks over frames; null: they are not handed on
+    std::shared_ptr<const ShownLines> shown;    ///< for elision over frames; null: nothing is elided
+    std::shared_ptr<const SeenLines> seen;      ///< for visibility over frames; null: it is not
+    std::shared_ptr<const MarkedLines> marked;  ///< for marks over frames; null: they are not handed on
 };
 
 /// A neighboring frame: its offset in frames (negative: earlier), and its lines.

@@ -199,10 +199,10 @@ void Frame::shape() {
             std::tie(found, pen_of_run_) = outlined(found);
         drawn = std::make_shared<Runs>(std::move(found));
         if (hands_on()) {
-            std::vector<ViewNear> near;
-            for (const auto& [away, lines] : job.near) near.emplace_back(away, lines.of_view);
-            marks_ =
-                marks_in_time(lines_of_view(), near, job.since_key, job.style.animation.marks_frames, job.baked_marks);
+            std::vector<MarkedNear> near;
+            for (const auto& [away, lines] : job.near) near.emplace_back(away, lines.marked);
+            const auto now = found_ ? found_->lines.marked : marked(lines_of_view());
+            marks_ = marks_in_time(now, near, job.since_key, job.style.animation.marks_frames, job.baked_marks);
         }
         pen_paints_ = PenPaints(pens.pens, *paths, *job.scene, job.overrides);
         strokes = std::make_shared<Strokes>(strokes_with(shown));

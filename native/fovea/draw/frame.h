@@ -161,7 +161,8 @@ class Frame {
     Runs with_ends(const Runs& runs) const;
     std::pair<Runs, Array<Index>> outlined(const Runs& runs) const;
     std::vector<double> mark_lengths() const;
-    std::shared_ptr<const ViewLines> lines_of_view();
+    std::shared_ptr<const ViewLines> lines_of_view() const;
+    std::shared_ptr<const MarkedLines> marked(std::shared_ptr<const ViewLines> of_view) const;
     Array<float> left(float cut);
     Painted painted(const std::string& attribute) const;
     Array<float> focus_along_lines();

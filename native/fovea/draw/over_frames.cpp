@@ -26,14 +26,18 @@ Runs Frame::over_frames(Runs runs) {
         if (lines.shown) elided.emplace_back(away, lines.shown);
     }
     if (!lasts() || near.empty()) return runs;
-    const auto ramps = seen_in_time(*paths, *found_lines()->lines.seen, near, animation.visibility_frames);
+    const SeenLines& now = *found_lines()->lines.seen;
+    const SeenInTime in_time(*paths, now, near, animation.visibility_frames);
+    const auto ramps = in_time.ramps();
     if (std::ranges::all_of(ramps, [](const auto& of_path) { return of_path.empty(); })) return runs;
     const bool retracts = animation.vanish == style::Vanish::retract;
     Runs found = seen_runs(*clipped, *paths, runs, ramps, retracts ? half_the_time : 0.0f);
     if (!retracts) seen = seen_at_samples(*clipped, *paths, ramps);
     if (!shown.empty()) {
         const LinePlaces places = line_places(*clipped, *paths, *job.scene, found, job.view.width, job.view.height);
-        show_as_near(shown, places, samples_from_runs(*clipped, runs), elided);
+        const Array<float> drawn_now = samples_from_runs(*clipped, runs);
+        show_as_near(shown, places, drawn_now, elided);
+        values_from_places(shown, *now.of_view, *clipped, drawn_now, in_time.shown_near());
         leave_out_faint();
     }
     if (!samples.empty()) {

@@ -16,36 +16,100 @@ namespace {
 using Stretch = SeenLines::Stretch;
 using project::PieceArcs;
 
-constexpr double same_place = 1e-9;  // of a path's length: parts as near as that follow each other
+constexpr double same_place = 1e-9;     // of a path's length: parts as near as that follow each other
+constexpr double most_drawn_out = 4.0;  // by how much a line is longer where it is found again
 
-/// The lines of another frame along the paths of this one.
-class Mapped {
+/// Appends what stretches say of an interval of their path, from .. to or against it, that lies here at other lengths.
+void add_mapped(In<Stretch> stretches, double from, double to, double here_from, double here_to,
+                std::vector<Stretch>& out) {
+    const std::size_t first = out.size();
+    const double length = to - from, low = std::min(from, to), high = low + std::abs(length);
+    if (length == 0.0) return;
+    const auto place = [&](double arc) {
+        return glm::mix(here_from, here_to, (std::clamp(arc, low, high) - from) / length);
+    };
+    auto stretch = std::ranges::upper_bound(stretches, low, {}, &Stretch::to);
+    for (; stretch != stretches.end() && stretch->from < high; ++stretch) {
+        const double a = place(stretch->from), b = place(stretch->to);
+        out.push_back({std::min(a, b), std::max(a, b), stretch->seen});
+    }
+    if ((length > 0.0) != (here_to > here_from)) std::reverse(out.begin() + std::ptrdiff_t(first), out.end());
+}
+
+/// What is known of lines at one moment.
+class Moment {
    public:
-    /// Borrows.
-    Mapped(const SeenLines& now, const SeenLines& there)
-        : now_(now), there_(there), part_(matched_parts(now.parts, there.parts)) {}
+    /// Borrows. `found`: of the places of `now`.
+    Moment(const SeenLines& now, const SeenLines& there, const Array<FoundPlace>& found)
+        : now_(now), there_(there), found_(found), part_(matched_parts(now.parts, there.parts)) {
+        const ViewLines& lines = *now.of_view;
+        std::vector<std::ptrdiff_t> more(lines.placed.size());
+        for (std::size_t j = 0; j < found.size(); ++j)
+            if (found[j].inside) more[lines.places[j].placed] += found[j].place == none ? -1 : 1;
+        for (const std::ptrdiff_t of_object : more) tracked_.push_back(of_object >= 0);
+    }
 
-    /// Appends what is known there of a part of a path here.
-    void add(Index part, std::vector<Stretch>& out) const {
+    /// Appends what is known of a part of a path of the mesh.
+    void add_part(Index part, std::vector<Stretch>& out) const {
         if (part_[part] == none) return;
         const LinePart &here = now_.parts[part], &other = there_.parts[part_[part]];
-        const double length = other.to - other.from, low = std::min(other.from, other.to),
-                     high = low + std::abs(length);
-        if (length == 0.0) return;
-        const auto place = [&](double arc) {
-            return glm::mix(here.from, here.to, (std::clamp(arc, low, high) - other.from) / length);
-        };
-        const In<Stretch> stretches = there_.stretches[other.path];
-        auto stretch = std::ranges::upper_bound(stretches, low, {}, &Stretch::to);
-        for (; stretch != stretches.end() && stretch->from < high; ++stretch) {
-            const double a = place(stretch->from), b = place(stretch->to);
-            out.push_back({std::min(a, b), std::max(a, b), stretch->seen});
+        add_mapped(there_.stretches[other.path], other.from, other.to, here.from, here.to, out);
+    }
+
+    /// Appends what is known of a piece of a path of the view.
+    void add_piece(Index piece, std::vector<Stretch>& out) const {
+        const ViewLines &lines = *now_.of_view, &there = *there_.of_view;
+        for (Index j = lines.rows.begin(piece); j + 1 < lines.rows.end(piece); ++j) {
+            const double from = lines.places[j].arc_space, to = lines.places[j + 1].arc_space;
+            const FoundPlace &a = found_[j], &b = found_[j + 1];
+            if (a.place != none && b.place != none && there.places[a.place].piece == there.places[b.place].piece) {
+                const double first = arc_there(a), last = arc_there(b);
+                if (first != last && std::abs(last - first) <= most_drawn_out * (to - from)) {
+                    add_mapped(there_.stretches[path_there(a)], first, last, from, to, out);
+                    continue;
+                }
+            }
+            const double middle = 0.5 * (from + to);
+            add(from, middle, j, out);
+            add(middle, to, j + 1, out);
         }
     }
 
+    /// Whether a place of the view is seen; none where that is not known.
+    std::optional<bool> is_seen(Index place) const {
+        const FoundPlace& at = found_[place];
+        if (at.place == none)
+            return at.inside && tracked_[now_.of_view->places[place].placed] ? std::optional(false) : std::nullopt;
+        const In<Stretch> stretches = there_.stretches[path_there(at)];
+        const double arc = arc_there(at);
+        const auto stretch = std::ranges::lower_bound(stretches, arc, {}, &Stretch::to);
+        return stretch != stretches.end() && stretch->from <= arc ? std::optional(stretch->seen) : std::nullopt;
+    }
+
    private:
+    Index path_there(const FoundPlace& at) const {
+        return there_.of_view->path[there_.of_view->places[at.place].piece];
+    }
+
+    double arc_there(const FoundPlace& at) const {
+        const ViewLines& lines = *there_.of_view;
+        const ViewLines::Place& place = lines.places[at.place];
+        const Index first = lines.rows.begin(place.piece), last = lines.rows.end(place.piece) - 1;
+        const ViewLines::Place &before = lines.places[std::max(at.place, first + 1) - 1],
+                               &after = lines.places[std::min(at.place + 1, last)];
+        const double slope = (after.arc_space - before.arc_space) / (after.arc - before.arc);
+        return std::clamp(place.arc_space + slope * at.beyond, lines.places[first].arc_space,
+                          lines.places[last].arc_space);
+    }
+
+    void add(double from, double to, Index place, std::vector<Stretch>& out) const {
+        if (const std::optional<bool> seen = is_seen(place); seen && from < to) out.push_back({from, to, *seen});
+    }
+
     const SeenLines &now_, &there_;
+    const Array<FoundPlace>& found_;
     Array<Index> part_;
+    std::vector<bool> tracked_;  // per object: whether most of its lines of the view are found
 };
 
 /// What stretches say, ascending, and elsewhere what another moment does.
@@ -105,42 +169,71 @@ void spans_above(In<Ramp> ramps, float least, const ClippedPaths& clipped, const
 
 }  // namespace
 
-std::vector<std::vector<Ramp>> seen_in_time(const Paths& paths, const SeenLines& now, In<SeenNear> near, int frames) {
-    std::vector<std::optional<Mapped>> mapped(2 * frames + 1);
-    for (const auto& [away, lines] : near)
+SeenInTime::SeenInTime(const Paths& paths, const SeenLines& now, In<SeenNear> near, int frames)
+    : paths_(paths), now_(now), frames_(frames), there_(2 * frames + 1), found_(2 * frames + 1) {
+    for (const auto& [away, lines] : near) {
         check(away != 0 && std::abs(away) <= frames, "visibility in time: a frame is not near by");
-    parallel_for(near.size(), 1, [&](std::size_t k) { mapped[frames + near[k].first].emplace(now, *near[k].second); });
-    auto parts = lists_of<Index>(paths.count(), [&](const auto& give) {
-        for (Index i = 0; i < now.parts.size(); ++i) give(now.parts[i].path, i);
+        there_[frames + away] = lines;
+        found_[frames + away] = found_places(*now.of_view, *lines->of_view);
+    }
+}
+
+std::vector<std::vector<Ramp>> SeenInTime::ramps() const {
+    std::vector<std::optional<Moment>> known(there_.size());
+    parallel_for(there_.size(), 1, [&](std::size_t k) {
+        if (there_[k]) known[k].emplace(now_, *there_[k], found_[k]);
     });
-    std::vector<std::vector<Ramp>> ramps(paths.count());
-    parallel_for(paths.count(), 64, [&](std::size_t p) {
-        const auto of_path = parts[Index(p)];
-        if (of_path.empty()) return;
-        std::ranges::sort(of_path, {}, [&](Index i) { return std::min(now.parts[i].from, now.parts[i].to); });
-        const double length = paths.arc_obj[paths.rows.end(Index(p)) - 1];
-        std::vector<SeenAlong> moments(mapped.size());
-        moments[frames] = along(std::as_const(now.stretches)[Index(p)]);
-        std::vector<Stretch> known;
+    const ViewLines& of_view = *now_.of_view;
+    auto parts = lists_of<Index>(paths_.count(), [&](const auto& give) {
+        for (Index i = 0; i < now_.parts.size(); ++i) give(now_.parts[i].path, i);
+    });
+    auto pieces = lists_of<Index>(paths_.count(), [&](const auto& give) {
+        for (Index q = 0; q < of_view.rows.count(); ++q)
+            if (of_view.rows.size(q) > 0) give(of_view.path[q], q);
+    });
+    std::vector<std::vector<Ramp>> ramps(paths_.count());
+    parallel_for(paths_.count(), 64, [&](std::size_t p) {
+        const auto of_mesh = parts[Index(p)], of_path = pieces[Index(p)];
+        if (of_mesh.empty() && of_path.empty()) return;
+        std::ranges::sort(of_mesh, {}, [&](Index i) { return std::min(now_.parts[i].from, now_.parts[i].to); });
+        std::ranges::sort(of_path, {}, [&](Index q) { return of_view.places[of_view.rows.begin(q)].arc_space; });
+        const double length = paths_.arc_obj[paths_.rows.end(Index(p)) - 1];
+        std::vector<SeenAlong> moments(known.size());
+        moments[frames_] = along(now_.stretches[Index(p)]);
+        std::vector<Stretch> stretches;
         const auto look = [&](int moment, int towards) {
             moments[moment] = moments[towards];
-            if (!mapped[moment]) return;
-            known.clear();
-            for (const Index part : of_path) {
-                const std::size_t before = known.size();
-                mapped[moment]->add(part, known);
-                if (now.parts[part].from > now.parts[part].to)
-                    std::ranges::sort(known.begin() + before, known.end(), {}, &Stretch::from);
-            }
-            moments[moment] = along(known, moments[towards], length);
+            if (!known[moment]) return;
+            stretches.clear();
+            for (const Index part : of_mesh) known[moment]->add_part(part, stretches);
+            for (const Index piece : of_path) known[moment]->add_piece(piece, stretches);
+            moments[moment] = along(stretches, moments[towards], length);
         };
-        for (int k = 1; k <= frames; ++k) {
-            look(frames - k, frames - k + 1);
-            look(frames + k, frames + k - 1);
+        for (int k = 1; k <= frames_; ++k) {
+            look(frames_ - k, frames_ - k + 1);
+            look(frames_ + k, frames_ + k - 1);
         }
         ramps[p] = seen_over_time(moments, length);
     });
     return ramps;
+}
+
+Array<float> SeenInTime::shown_near() const {
+    const std::size_t count = now_.of_view->places.size();
+    Array<double> sum(count), seen(count);
+    std::ranges::fill(sum, 0.0);
+    std::ranges::fill(seen, 0.0);
+    for (std::size_t k = 0; k < there_.size(); ++k) {
+        if (!there_[k] || there_[k]->shown.empty()) continue;
+        const Moment moment(now_, *there_[k], found_[k]);
+        parallel_for(count, 1024, [&](std::size_t j) {
+            const FoundPlace& at = found_[k][j];
+            if (at.place == none || !moment.is_seen(Index(j)).value_or(false)) return;
+            sum[j] += there_[k]->shown[at.place];
+            seen[j] += 1.0;
+        });
+    }
+    return parallel_map<float>(count, [&](std::size_t j) { return seen[j] > 0.0 ? float(sum[j] / seen[j]) : 1.0f; });
 }
 
 Array<float> seen_at_samples(const ClippedPaths& clipped, const Paths& paths,

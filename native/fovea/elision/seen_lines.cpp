@@ -36,24 +36,29 @@ void add_stretches(const ClippedPaths& clipped, const Paths& paths, const Runs& 
 
 }  // namespace
 
-SeenLines seen_lines(const ClippedPaths& clipped, const Paths& paths, const Scene& scene, const Runs& runs) {
+SeenLines seen_lines(const ClippedPaths& clipped, const Paths& paths, const Scene& scene, const Runs& runs,
+                     std::shared_ptr<const ViewLines> of_view) {
     const Rows rows = runs_of_pieces(clipped, runs);
     const auto found =
         parallel_collect<OnPath>(clipped.path.size(), 256, [&](std::size_t begin, std::size_t end, auto& out) {
             for (Index q = Index(begin); q < end; ++q)
-                if (!paths.of_view[clipped.path[q]] && clipped.pieces.size(q) > 1)
+                if (clipped.pieces.size(q) > 1 && (!paths.of_view[clipped.path[q]] || of_view->rows.size(q) > 0))
                     add_stretches(clipped, paths, runs, q, rows.begin(q), rows.end(q), out);
         });
     SeenLines lines;
     lines.stretches = lists_of<Stretch>(paths.count(), [&](const auto& give) {
         for (const OnPath& each : found) give(each.path, each.stretch);
     });
-    Array<Index> some;
-    for (Index p = 0; p < paths.count(); ++p)
-        if (lines.stretches.size(p) > 0) some.push_back(p);
+    Array<Index> some, of_mesh;
+    for (Index p = 0; p < paths.count(); ++p) {
+        if (lines.stretches.size(p) == 0) continue;
+        some.push_back(p);
+        if (!paths.of_view[p]) of_mesh.push_back(p);
+    }
     parallel_for(some.size(), 256,
                  [&](std::size_t k) { std::ranges::sort(lines.stretches[some[k]], {}, &Stretch::from); });
-    lines.parts = LineParts(paths, scene, some).sorted;
+    lines.parts = LineParts(paths, scene, of_mesh).sorted;
+    lines.of_view = std::move(of_view);
     return lines;
 }
 

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is seen of the lines of the mesh in one frame, for frames near it.
+// What is seen of the lines of one frame, for frames near it.
 #pragma once
 
 #include <fovea/elision/line_parts.h>
+#include <fovea/elision/view_lines.h>
 #include <fovea/visibility/runs.h>
 
 namespace fovea::elision {
 
-/// The lines of a frame that do not depend on its view.
+/// Lines of the mesh, by the parts of it on which they lie, and those of the view, by places along them. Without lines
+/// that are found in the image or make a tone.
 struct SeenLines {
     /// Interval of a path, seen or hidden all along: from < to in arc length, object units.
     struct Stretch {
@@ -15,12 +17,15 @@ struct SeenLines {
         bool seen;
     };
 
-    Array<LinePart> parts;  ///< by key, of paths with stretches
+    Array<LinePart> parts;  ///< by key, of paths of the mesh
+    std::shared_ptr<const ViewLines> of_view;
+    Array<float> shown;  ///< what elision leaves of the lines of the view, per place, in [0, 1]; empty: all
     /// Per path: its stretches, ascending and disjoint. What is between them is not in the picture.
     Lists<Stretch> stretches;
 };
 
-/// `runs`: what is visible among them is seen.
-SeenLines seen_lines(const ClippedPaths& clipped, const Paths& paths, const Scene& scene, const Runs& runs);
+/// `runs`: what is visible among them is seen. `of_view`: of the same paths.
+SeenLines seen_lines(const ClippedPaths& clipped, const Paths& paths, const Scene& scene, const Runs& runs,
+                     std::shared_ptr<const ViewLines> of_view);
 
 }  // namespace fovea::elision

@@ -75,7 +75,7 @@ void PathAnchor::place_at_rest(CenterPoint& point) const {
 
 /// A value of the places of marks at an arc length; beyond the ends of its piece as at these.
 double PathAnchor::mark_at(In<double> values, double arc) const {
-    const Rows& rows = marks_->lines->rows;
+    const Rows& rows = marks_->of->lines->rows;
     const Index begin = rows.begin(piece_), steps = rows.size(piece_) - 1;
     const double first = clipped_.first_arc(piece_), last = clipped_.last_arc(piece_);
     const double place = std::clamp((arc - first) / (last - first), 0.0, 1.0) * steps;
@@ -85,7 +85,7 @@ double PathAnchor::mark_at(In<double> values, double arc) const {
 
 void PathAnchor::place_at_marks(CenterPoint& point) const {
     const double first = clipped_.first_arc(piece_), last = clipped_.last_arc(piece_);
-    const double inside = std::clamp(point.arc, first, last), period = marks_->lines->period[piece_];
+    const double inside = std::clamp(point.arc, first, last), period = marks_->of->period[piece_];
     const double low = std::max(inside - 0.5 * window_px_, first), high = std::min(inside + 0.5 * window_px_, last);
     const double marked = mark_at(marks_->last, high) - mark_at(marks_->last, low);
     point.way = marked < 0.0 ? -1.0 : 1.0;

@@ -72,7 +72,7 @@ void check_inking(const Inking& inking) {
           "paths: not those that were clipped");
     check(inking.visibility.empty() || inking.visibility.size() == clipped.samples,
           "visibility: one value per atlas sample expected");
-    check(!inking.marks || !inking.marks->lines || inking.marks->lines->rows.count() == clipped.pieces.count(),
+    check(!inking.marks || !inking.marks->of || inking.marks->of->lines->rows.count() == clipped.pieces.count(),
           "marks: not those of these pieces");
 }
 

@@ -1,32 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <fovea/stroke/view_lines.h>
+#include <fovea/elision/view_lines.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
+#include <map>
 
-#include <fovea/base/hash.h>
 #include <fovea/base/parallel.h>
+#include <fovea/project/piece_arcs.h>
+#include <fovea/visibility/piece_samples.h>
 
-namespace fovea::stroke {
+namespace fovea::elision {
 namespace {
 
 constexpr double step = 4.0;        // reference pixels between places
 constexpr double cell = 8.0;        // of the grid, reference pixels
 constexpr std::size_t crowd = 512;  // places in a cell
-constexpr double shortest = 0.01;   // px: shorter pieces have no marks
-constexpr std::uint64_t far = 509;  // periods by which lines may begin elsewhere
-constexpr std::size_t around = 6;   // places to each side over which the side that the surface faces is averaged
-constexpr double clear = 0.3;       // sine of its angle to the line
-
-/// Twice the normal of what lies on both sides of a place, object space; outward.
-dvec3 normal_at(const Surface& surface, Index place) {
-    if (!surface.is_edge(place))
-        return dvec3(vec3(surface.facet_plane[surface.triangle_facet[surface.triangle_at(place)]]));
-    dvec3 sum(0.0);
-    for (const mesh::EdgeSide side : surface.sides(place)) sum += dvec3(vec3(surface.facet_plane[side.facet()]));
-    return sum;
-}
+constexpr double shortest = 0.01;   // px: shorter pieces have no places
 
 /// Shares of the corners of a triangle in the point of its plane nearest to `at`.
 std::array<double, 3> shares_of(const dvec3& a, const dvec3& b, const dvec3& c, const dvec3& at) {
@@ -40,8 +29,8 @@ std::array<double, 3> shares_of(const dvec3& a, const dvec3& b, const dvec3& c, 
 
 class Finder {
    public:
-    Finder(const ClippedPaths& clipped, const Paths& paths, const Scene& scene, const View& view, In<double> period)
-        : clipped_(clipped), paths_(paths), scene_(scene), view_(view), period_(period) {
+    Finder(const ClippedPaths& clipped, const Paths& paths, const Scene& scene, const View& view)
+        : clipped_(clipped), paths_(paths), scene_(scene), view_(view) {
         for (Index q = 0; q < clipped.pieces.count(); ++q)
             if (wanted(q)) number_.try_emplace(paths.placement[clipped.path[q]]);
         std::vector<std::pair<std::uint64_t, Index>> order;
@@ -66,13 +55,10 @@ class Finder {
         const double step_px = step * view_.reference_scale;
         out.view = view_;
         out.rows.offsets.assign(count, 0);
-        out.period.assign(count, 0.0);
+        out.path.assign(clipped_.path.begin(), clipped_.path.end());
         out.closed.assign(clipped_.closed.begin(), clipped_.closed.end());
         for (Index q = 0; q < count; ++q)
-            if (wanted(q)) {
-                out.rows.offsets[q] = 1 + Index(std::max(1.0, std::ceil(length_of(q) / step_px)));
-                out.period[q] = period_[paths_.line_set[clipped_.path[q]]];
-            }
+            if (wanted(q)) out.rows.offsets[q] = 1 + Index(std::max(1.0, std::ceil(length_of(q) / step_px)));
         counts_to_offsets(out.rows.offsets);
         out.places.resize(out.rows.offsets.back());
         parallel_for(count, 64, [&](std::size_t q) {
@@ -89,19 +75,19 @@ class Finder {
         const Index path = clipped_.path[piece];
         const std::uint8_t of_view = paths_.of_view[path];
         return of_view && of_view != path::makes_tone && paths_.placement[path] != none &&
-               period_[paths_.line_set[path]] > 0.0 && clipped_.pieces.size(piece) > 1 && length_of(piece) > shortest &&
-               std::isfinite(length_of(piece));
+               clipped_.pieces.size(piece) > 1 && length_of(piece) > shortest && std::isfinite(length_of(piece));
     }
 
     void find(Index piece) {
-        const Index path = clipped_.path[piece], placement = paths_.placement[path];
-        const Index placed = number_.at(placement), size = out.rows.size(piece);
+        const Index placed = number_.at(paths_.placement[clipped_.path[piece]]), size = out.rows.size(piece);
         const std::span<ViewLines::Place> places(out.places.data() + out.rows.begin(piece), size);
         const dmat4 view_to_object = glm::inverse(out.placed[placed].object_to_view);
+        const project::PieceArcs arcs(clipped_, paths_, piece);
         const double first = clipped_.first_arc(piece), length = length_of(piece);
         for (Index k = 0; k < size; ++k) {
             ViewLines::Place& place = places[k];
             place.arc = k + 1 == size ? first + length : first + length * k / (size - 1);
+            place.arc_space = arcs.in_space(place.arc);
             place.piece = piece;
             place.placed = placed;
             locate(place, view_to_object);
@@ -111,19 +97,6 @@ class Finder {
             const double length_px = glm::length(way);
             places[k].way = length_px > 0.0 ? way / length_px : dvec2(0.0);
         }
-        const double period = out.period[piece];
-        double own = double(paths_.id[path] % far) * period;
-        const std::vector<double> ways = ways_of(places, placement);
-        for (Index k = 0; k < size; ++k) {
-            if (k > 0) own += ways[k] * (places[k].arc - places[k - 1].arc);
-            places[k].own = own;
-        }
-        if (!out.closed[piece]) return;
-        // One that runs around has at least one period; one that comes back as it went may have none.
-        const double turn = own - places[0].own, least = std::abs(turn) > 0.5 * length ? 1.0 : 0.0;
-        const double whole = std::copysign(std::max(least, std::round(std::abs(turn) / period)) * period, turn);
-        const double missing = whole - turn;
-        for (Index k = 0; k < size; ++k) places[k].own += missing * k / (size - 1);
     }
 
     void locate(ViewLines::Place& place, const dmat4& view_to_object) const {
@@ -154,78 +127,53 @@ class Finder {
         }
     }
 
-    /// Per place: 1 where the surface faces the right of the line, else -1: however a path is chained, that is the
-    /// same. Where it faces along the line it is as before.
-    std::vector<double> ways_of(In<ViewLines::Place> places, Index placement) const {
-        const Surface& surface = *scene_.placements[placement].surface;
-        const dmat4& object_to_view = out.placed[places[0].placed].object_to_view;
-        const dmat3 normals = glm::transpose(glm::inverse(dmat3(object_to_view)));
-        std::vector<double> sums{0.0};  // of how much it does
-        for (const ViewLines::Place& place : places) {
-            const Index i = clipped_.segment_at(place.piece, place.arc);
-            const dvec2 normal(unit_or_zero(normals * normal_at(surface, paths_.place[clipped_.source[i]])));
-            const double side = cross(normal, place.way);
-            sums.push_back(sums.back() + (std::isfinite(side) ? side : 0.0));
-        }
-        const std::size_t size = places.size();
-        double way = sums.back() < 0.0 ? -1.0 : 1.0;
-        std::vector<double> ways(size);
-        for (std::size_t k = 0; k < size; ++k) {
-            const std::size_t begin = std::max(k, around) - around, end = std::min(k + around + 1, size);
-            if (-way * (sums[end] - sums[begin]) > clear * double(end - begin)) way = -way;
-            ways[k] = way;
-        }
-        return ways;
-    }
-
     const ClippedPaths& clipped_;
     const Paths& paths_;
     const Scene& scene_;
     const View& view_;
-    In<double> period_;
     std::map<Index, Index> number_;  // of placements with such lines, among those placed
 };
 
 }  // namespace
 
-std::shared_ptr<const Array<double>> HandedOn::find(std::uint64_t number) const {
-    const std::scoped_lock lock(mutex_);
-    const auto at = kept_.find(number);
-    return at == kept_.end() ? nullptr : at->second;
-}
-
-void HandedOn::keep(std::uint64_t number, std::shared_ptr<const Array<double>> values) {
-    const std::scoped_lock lock(mutex_);
-    if (kept_.size() == most) kept_.clear();
-    kept_.emplace(number, std::move(values));
-}
-
 std::size_t ViewLines::bytes() const {
-    std::size_t sum = places.size() * (sizeof(Place) + 4 * sizeof(double)) + 13 * period.size();
+    std::size_t sum = places.size() * (sizeof(Place) + 4 * sizeof(double)) + 9 * closed.size();
     for (const Placed& each : placed) sum += sizeof(Placed) + each.positions.size() * sizeof(vec3);
     return sum;
 }
 
-std::uint64_t ViewLines::content() const {
-    if (places.empty()) return 0;
-    std::uint64_t hash = hash_of(In<Index>(rows.offsets));
-    const Array<double> own = own_marks(*this);
-    const Array<dvec2> px = parallel_map<dvec2>(places.size(), [&](std::size_t j) { return places[j].px; });
-    hash = hash_of(In<dvec2>(px), hash_of(In<double>(own), hash));
-    return std::max<std::uint64_t>(hash, 1);
-}
-
-Array<double> own_marks(const ViewLines& lines) {
-    return parallel_map<double>(lines.places.size(), [&](std::size_t j) { return lines.places[j].own; });
-}
-
-ViewLines view_lines(const ClippedPaths& clipped, const Paths& paths, const Scene& scene, const View& view,
-                     In<double> period) {
-    Finder finder(clipped, paths, scene, view, period);
+ViewLines view_lines(const ClippedPaths& clipped, const Paths& paths, const Scene& scene, const View& view) {
+    Finder finder(clipped, paths, scene, view);
     finder.find();
-    static std::atomic<std::uint64_t> made{0};
-    finder.out.number = ++made;
     return std::move(finder.out);
 }
 
-}  // namespace fovea::stroke
+Array<float> values_at_places(const ViewLines& lines, const ClippedPaths& clipped, In<float> values) {
+    Array<float> found(lines.places.size());
+    parallel_for(lines.rows.count(), 64, [&](std::size_t q) {
+        if (lines.rows.size(Index(q)) == 0) return;
+        const PieceSamples samples(clipped, Index(q));
+        for (Index j = lines.rows.begin(Index(q)); j < lines.rows.end(Index(q)); ++j)
+            found[j] = samples.value(values, lines.places[j].arc, 1.0f);
+    });
+    return found;
+}
+
+void values_from_places(Array<float>& values, const ViewLines& lines, const ClippedPaths& clipped, In<float> now,
+                        In<float> at_places) {
+    parallel_for(lines.rows.count(), 64, [&](std::size_t q) {
+        if (lines.rows.size(Index(q)) == 0) return;
+        const Index begin = lines.rows.begin(Index(q)), last = lines.rows.end(Index(q)) - 1;
+        const PieceSamples samples(clipped, Index(q));
+        Index after = begin + 1;
+        for (std::ptrdiff_t s = 0; s < samples.count(); ++s) {
+            if (now[samples.in_atlas(s)] > 0.0f) continue;
+            while (after < last && lines.places[after].arc < samples.arc(s)) ++after;
+            const double from = lines.places[after - 1].arc, to = lines.places[after].arc;
+            const double share = std::clamp((samples.arc(s) - from) / (to - from), 0.0, 1.0);
+            values[samples.in_atlas(s)] = glm::mix(at_places[after - 1], at_places[after], float(share));
+        }
+    });
+}
+
+}  // namespace fovea::elision

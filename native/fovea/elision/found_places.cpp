@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fovea/elision/found_places.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <fovea/base/parallel.h>
+
+namespace fovea::elision {
+namespace {
+
+constexpr double reach = 8.0;        // reference pixels from a moved point to its line
+constexpr double trusted = 4.0;      // reference pixels at which a place counts for 1 / e
+constexpr double same_way = 0.7;     // cosine between the directions of a line found again
+constexpr double same_depth = 0.05;  // of the distance from the eye
+
+/// Where points of one frame's lines are in another frame.
+class Carrier {
+   public:
+    Carrier(const ViewLines& from, const ViewLines& to) : from_(from), to_(to) {
+        for (const ViewLines::Placed& placed : from.placed) {
+            const auto at = std::ranges::lower_bound(to.placed, placed.id, {}, &ViewLines::Placed::id);
+            number_.push_back(at != to.placed.end() && at->id == placed.id ? Index(at - to.placed.begin()) : none);
+        }
+    }
+
+    /// Number among those placed there; `none` if it is not.
+    Index number(const ViewLines::Place& place) const { return number_[place.placed]; }
+
+    /// View space.
+    dvec3 position(const ViewLines::Place& place) const {
+        const ViewLines::Placed &here = from_.placed[place.placed], &there = to_.placed[number(place)];
+        dvec3 at = place.position;
+        if (!here.positions.empty() && here.positions.size() == there.positions.size()) {
+            at = dvec3(0.0);
+            for (int k = 0; k < 3; ++k) at += place.shares[k] * dvec3(there.positions[place.vertices[k]]);
+        }
+        return dvec3(there.object_to_view * dvec4(at, 1.0));
+    }
+
+   private:
+    const ViewLines &from_, &to_;
+    std::vector<Index> number_;
+};
+
+/// A point of the surface in another frame; a depth that is not a number: it is not there.
+struct Moved {
+    dvec2 px;
+    double depth;
+};
+
+bool is_inside(const Moved& moved, const View& view) {
+    return moved.depth > 0.0 && moved.px.x >= 0.0 && moved.px.y >= 0.0 && moved.px.x <= view.width &&
+           moved.px.y <= view.height;
+}
+
+}  // namespace
+
+Array<FoundPlace> found_places(const ViewLines& now, const ViewLines& there) {
+    const Carrier carrier(now, there);
+    const double scale = there.view.reference_scale;
+    const Array<Moved> moved = parallel_map<Moved>(now.places.size(), [&](std::size_t j) {
+        if (carrier.number(now.places[j]) == none) return Moved{dvec2(0.0), NAN};
+        const dvec3 position = carrier.position(now.places[j]);
+        const dvec4 clip = there.view.view_to_clip * dvec4(position, 1.0);
+        const dvec2 px = to_pixels(there.view, clip);
+        const bool seen = clip.w > 0.0 && std::abs(px.x) < 1e6 && std::abs(px.y) < 1e6;
+        return Moved{px, seen ? -position.z : NAN};
+    });
+    Array<FoundPlace> found(now.places.size());
+    parallel_for(found.size(), 256, [&](std::size_t j) {
+        const ViewLines::Place& place = now.places[j];
+        FoundPlace& best = found[j] = {};
+        if (std::isnan(moved[j].depth)) return;
+        const Index first = now.rows.begin(place.piece), last = now.rows.end(place.piece) - 1;
+        const Moved &before = moved[std::max<std::size_t>(j, first + 1) - 1],
+                    &after = moved[std::min<std::size_t>(j + 1, last)];
+        const dvec2 across = after.px - before.px;
+        const double length = glm::length(across);
+        const dvec2 way = std::isnan(before.depth + after.depth) || length == 0.0 ? place.way : across / length;
+        double nearest = reach * scale;
+        there.grid->near(moved[j].px, [&](std::size_t k) {
+            const ViewLines::Place& other = there.places[k];
+            const double away = glm::distance(moved[j].px, other.px), along = glm::dot(way, other.way);
+            if (away >= nearest || std::abs(along) < same_way || other.placed != carrier.number(place) ||
+                (other.kinds & place.kinds) == 0 ||
+                std::abs(other.depth - moved[j].depth) > same_depth * std::abs(moved[j].depth))
+                return;
+            nearest = away;
+            const double beyond = glm::dot(moved[j].px - other.px, other.way);
+            const double aside = std::abs(cross(other.way, moved[j].px - other.px)) / (trusted * scale);
+            best = {Index(k), beyond, std::exp(-aside * aside), along > 0.0};
+        });
+        best.inside = is_inside(moved[j], there.view);
+    });
+    return found;
+}
+
+}  // namespace fovea::elision

@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Visibility over frames of lines of the view, which lie elsewhere on the surface in each frame.
+#include <cmath>
+#include <gtest/gtest.h>
+
+#include <fovea/draw/frame.h>
+#include <fovea/focus/at_samples.h>
+#include <fovea/style/json.h>
+
+#include "drawing.h"
+
+using namespace fovea;
+using namespace fovea::draw;
+using namespace fovea::drawing;
+
+namespace {
+
+constexpr double across = 4.0;  // units from the left to the right of the picture
+constexpr int width = 400, height = 300;
+
+Job job_of(std::vector<Placement> placements, const View& view, int frames = 2, bool elided = false,
+           style::Vanish vanish = style::Vanish::fade) {
+    style::Style style = style::read_style(R"({"schema": 1, "line_sets": [{"kinds": {"smooth_contour": {}},
+        "least_length": 0, "pen": {"width": 6, "width_unit": "pixels", "cap": "butt"}}]})");
+    style.animation.visibility_frames = frames;
+    style.animation.vanish = vanish;
+    style.elision.enabled = elided;
+    return {.scene = std::make_shared<Scene>(Scene(std::move(placements))),
+            .view = view,
+            .style = style,
+            .assets = std::make_shared<Assets>("."),
+            .backend = std::make_shared<CpuBackend>()};
+}
+
+/// Frame 0 of those that job(frame) makes, over so many frames to each side.
+template <typename Make>
+std::unique_ptr<Frame> middle_of(int frames, const Make& make) {
+    Job job = make(0);
+    for (int k = -frames; k <= frames; ++k)
+        if (k != 0) job.near.emplace_back(k, Frame(make(k)).found_lines()->lines);
+    auto frame = std::make_unique<Frame>(std::move(job));
+    frame->picture();
+    return frame;
+}
+
+const View front = orthographic({0, -10, 0}, {0, 0, 0}, across, width, height);
+
+/// Turns about the axis of a cylinder that lies along x, and about z, upright, which moves its contours over it.
+Placement cylinder(double roll, double turn = 0.0) {
+    const dmat4 lying = glm::rotate(dmat4(1.0), glm::radians(90.0), dvec3(0, 1, 0));
+    return place(meshes::cylinder(64),
+                 glm::rotate(dmat4(1.0), turn, dvec3(0, 0, 1)) * glm::rotate(dmat4(1.0), roll, dvec3(1, 0, 0)) * lying,
+                 1);
+}
+
+Placement bar(double x, double bar_width) {
+    const vec3 half(0.5f * float(bar_width), 0.1f, 3.0f);
+    return place(meshes::box(-half, half), moved({x, -4, 0}), 2, usage_occlude);
+}
+
+/// Share of the time from -frames to frames for which a bar that passes 0 at time 0 does not hide a place.
+double trapezoid(double x, double bar_width, double speed, int frames) {
+    const double from = std::max((x - 0.5 * bar_width) / speed, -double(frames));
+    const double to = std::min((x + 0.5 * bar_width) / speed, double(frames));
+    return 1.0 - std::max(to - from, 0.0) / (2.0 * frames);
+}
+
+/// Calls visit(x, z, sample) for the samples of the lines.
+template <typename Visit>
+int each_sample(const Frame& frame, const Visit& visit) {
+    const Array<vec2> places =
+        at_samples(*frame.clipped, [&](const SamplePlace& at) { return px_at(*frame.clipped, at); });
+    for (std::size_t s = 0; s < places.size(); ++s)
+        visit((places[s].x / width - 0.5) * across, (places[s].y / height - 0.5) * across * height / width, Index(s));
+    return int(places.size());
+}
+
+/// Two spheres of one object, of which one may be missing.
+Placement spheres(bool both, double grown = 0.0) {
+    meshes::Mesh mesh("spheres", {});
+    const auto add = [&](const vec3& at, float radius) {
+        const meshes::Mesh one = meshes::sphere(24);
+        const int first = int(mesh.positions.size());
+        for (const vec3& p : one.positions) mesh.positions.push_back(at + radius * p);
+        for (std::size_t k = 0; k + 1 < one.polygon_offsets.size(); ++k) {
+            std::vector<int> corners;
+            for (int c = one.polygon_offsets[k]; c < one.polygon_offsets[k + 1]; ++c)
+                corners.push_back(first + one.corner_verts[c]);
+            mesh.add_polygon(corners);
+        }
+    };
+    add({-0.7f, 0, 0}, 0.8f + float(grown));
+    if (both) add({1.2f, 0, 0}, 0.5f);
+    return place(mesh, dmat4(1.0), 1);
+}
+
+/// The least and the largest share of the samples of the small sphere, or of the large one.
+std::pair<float, float> shares_of(const Frame& frame, bool small) {
+    std::pair<float, float> found{2.0f, -1.0f};
+    each_sample(frame, [&](double x, double, Index s) {
+        if ((x > 0.6) != small) return;
+        const float share = frame.seen.empty() ? 1.0f : frame.seen[s];
+        found = {std::min(found.first, share), std::max(found.second, share)};
+    });
+    return found;
+}
+
+}  // namespace
+
+TEST(ViewOverFrames, VisibilityBlurOfContoursEqualsTheAnalyticTrapezoid) {
+    for (const int frames : {1, 2, 4})
+        for (const double bar_width : {0.08, 0.2, 0.6}) {
+            const double speed = 0.15;
+            const auto frame = middle_of(frames, [&](int k) {
+                return job_of({cylinder(0.03 * k), bar(speed * k, bar_width)}, front, frames);
+            });
+            ASSERT_FALSE(frame->seen.empty());
+            double largest = 0.0;
+            EXPECT_GT(each_sample(*frame,
+                                  [&](double x, double, Index s) {
+                                      const double share = trapezoid(x, bar_width, speed, frames);
+                                      largest = std::max(largest, std::abs(frame->seen[s] - share));
+                                  }),
+                      100);
+            EXPECT_LT(largest, 0.02) << frames << " frames, a bar of " << bar_width;
+        }
+}
+
+TEST(ViewOverFrames, ABlinkOfOneFrameLeavesThreeQuarters) {
+    const auto frame = middle_of(2, [](int k) {
+        return job_of({cylinder(0.03 * k), bar(k == 0 ? 0.0 : 10.0, 1.0)}, front);
+    });
+    int inside = 0;
+    each_sample(*frame, [&](double x, double, Index s) {
+        if (std::abs(x) > 0.4) return;
+        EXPECT_NEAR(frame->seen[s], 0.75f, 1e-4);
+        ++inside;
+    });
+    EXPECT_GT(inside, 50);
+    EXPECT_GT(frame->drawn->size(), 0u);
+    for (Index r = 0; r < frame->drawn->size(); ++r) EXPECT_EQ(frame->drawn->invisibility[r], 0);
+}
+
+TEST(ViewOverFrames, AContourThatIsThereForOneFrameAloneIsAQuarter) {
+    const auto frame = middle_of(2, [](int k) { return job_of({spheres(k == 0, 0.003 * k)}, front); });
+    const auto [least, most] = shares_of(*frame, true);
+    EXPECT_NEAR(least, 0.25f, 1e-4);
+    EXPECT_NEAR(most, 0.25f, 1e-4);
+    EXPECT_GT(shares_of(*frame, false).first, 0.999f) << "that of the sphere that stays is whole";
+}
+
+TEST(ViewOverFrames, AContourThatComesIsSeenFromHalfWayOnAndOneThatGoesUntilThen) {
+    for (const int direction : {-1, 1}) {
+        const auto frame = middle_of(2, [&](int k) { return job_of({spheres(direction * k >= 0)}, front); });
+        EXPECT_NEAR(shares_of(*frame, true).first, 2.5f / 4.0f, 1e-4) << direction;
+    }
+}
+
+TEST(ViewOverFrames, OfAnObjectThatGoesTooFarFromFrameToFrameAllIsAsItIs) {
+    const auto frame = middle_of(2, [](int k) {
+        return job_of({place(meshes::box(vec3(-0.5f), vec3(0.5f)), moved({0, 0, 0}), 1)},
+                      orthographic({0, -10, 0}, {0, 0, 0}, across, width, height), 2);
+    });
+    EXPECT_TRUE(frame->seen.empty());
+    // An ellipsoid whose contour sweeps over it.
+    const auto fast = middle_of(2, [](int k) {
+        const dmat4 turned = glm::rotate(dmat4(1.0), 0.7 * k, dvec3(0, 0, 1)) * scaled({1.5, 0.2, 0.8});
+        return job_of({place(meshes::sphere(40), turned, 1)}, front);
+    });
+    ASSERT_FALSE(fast->clipped->path.empty());
+    const auto least = fast->seen.empty() ? 1.0f : *std::ranges::min_element(fast->seen);
+    EXPECT_EQ(least, 1.0f);
+}
+
+TEST(ViewOverFrames, WhatElisionLeavesWhereALineIsHiddenIsThatOfTheFramesWhereItIsSeen) {
+    // Close to one another, the smaller of two contours fades.
+    const auto placed = [](double x) {
+        return std::vector<Placement>{cylinder(0.0), place(meshes::cylinder(64), glm::rotate(scaled({1, 1, 1}), glm::radians(90.0), dvec3(0, 1, 0)) * scaled({0.99, 0.99, 1}), 3), bar(x, 0.3)};
+    };
+    const auto frame = middle_of(2, [&](int k) { return job_of(placed(0.15 * k), front, 2, true); });
+    const auto bare = middle_of(2, [&](int) { return job_of(placed(10.0), front, 2, true); });
+    ASSERT_EQ(frame->shown.size(), bare->shown.size());
+    double least = 1.0, apart = 0.0;
+    each_sample(*frame, [&](double x, double, Index s) {
+        least = std::min(least, double(bare->shown[s]));
+        if (std::abs(x) < 0.1) apart = std::max(apart, std::abs(double(frame->shown[s]) - bare->shown[s]));
+    });
+    EXPECT_LT(least, 0.9) << "one of them fades";
+    EXPECT_LT(apart, 0.25);
+}
+
+TEST(ViewOverFrames, LinesThatRetractEndWhereTheyAreSeenForHalfOfTheTime) {
+    const auto frame = middle_of(2, [](int k) {
+        return job_of({cylinder(0.0), bar(0.15 * k, 0.6)}, front, 2, false, style::Vanish::retract);
+    });
+    EXPECT_TRUE(frame->seen.empty());
+    for (Index r = 0; r < frame->drawn->size(); ++r) {
+        if (frame->drawn->invisibility[r] != 0) continue;
+        const Index q = frame->drawn->piece[r];
+        for (const double end : {frame->drawn->start_px[r], frame->drawn->end_px[r]}) {
+            const Index i = frame->clipped->segment_at(q, end);
+            const double t = frame->clipped->share_at(i, end);
+            const dvec2 px = glm::mix(dvec2(frame->clipped->px[i]), dvec2(frame->clipped->px[i + 1]), t);
+            const double x = std::abs((px.x / width - 0.5) * across);
+            EXPECT_TRUE(std::abs(x - 0.3) < 0.02 || x > 0.95) << x;
+        }
+    }
+}
