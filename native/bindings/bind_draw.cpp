@@ -149,7 +149,7 @@ void bind_found_lines(py::module_& m) {
         .def(
             "own_marks",
             [](const NearLines& lines) {
-                return to_numpy(lines.marked ? lines.marked->own : Array<double>());
+                return to_numpy(lines.marked ? Array<double>(lines.marked->own) : Array<double>());
             },
             "(n,) float64 places of marks along them, in pixels, as the frame alone has them.")
         .def(
