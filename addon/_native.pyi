@@ -471,6 +471,8 @@ class style:
             """The style between it (0) and another (1)."""
         def has_color(self) -> bool:
             """Whether there is a color layer."""
+        def fixes_marks(self) -> bool:
+            """Whether a pen fixes its marks to paths."""
         def pens(self) -> list[style.Pen]:
             """Those in focus of visible parts by line set, of hidden parts, and all those out of focus."""
         def width_px(self, pen: style.Pen, reference_scale: float) -> float:

@@ -102,15 +102,15 @@ def draw(scene, view, chosen, backend, asked, near=None, also=None, **beside):
 
 def frames_near(chosen, asked, frame, itself=False, keys=True):
     """Offsets of the frames near a frame that its lines answer to, ascending: by elision, by visibility, and, with
-    `keys`, by the marks of lines of the view, from the key before it to the one after it. `itself`: also 0, where there
-    are such marks. None with the spine test."""
+    `keys`, by the marks of lines of the view, from the key before it to the one after it, if a pen fixes any to paths.
+    `itself`: also 0, where there are such marks. None with the spine test."""
     if asked.visibility == "spine":
         return ()
-    animation, elision = chosen.animation, chosen.elision
+    animation, elision, marks = chosen.animation, chosen.elision, chosen.fixes_marks()
     most = max(elision.frames if elision.enabled else 0, animation.visibility_frames)
-    since = animation.since_key(frame) if keys else 0
+    since = animation.since_key(frame) if keys and marks else 0
     ahead = animation.marks_frames - since if since else 0
-    itself = itself and (animation.marks_frames > 0 or animation.marks_baked)
+    itself = itself and marks and (animation.marks_frames > 0 or animation.marks_baked)
     return tuple(away for away in range(-max(most, since), max(most, ahead) + 1) if away or itself)
 
 

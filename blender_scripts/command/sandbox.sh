@@ -65,8 +65,8 @@ named_options() {
     previous=
     for word in "$@"; do
         named=--ro-bind
-        case $previous in -o | --output | --dump | --render-output) named=--bind ;; esac
-        case $word in --output=* | --dump=*) named=--bind ;; esac
+        case $previous in -o | --output | --dump | --render-output | --pictures) named=--bind ;; esac
+        case $word in --output=* | --dump=* | --pictures=*) named=--bind ;; esac
         case $subcommand in blender | render) named=--bind ;; esac
         previous=$word
         [ "$how" = "$named" ] && folder=$(folder_of "${word#--*=}") || continue

@@ -92,6 +92,7 @@ void bind_style(py::module_& parent) {
         .def("written", &style::write_style, "The JSON of its file.")
         .def("mixed", &style::mix, py::arg("other"), py::arg("share"), "The style between it (0) and another (1).")
         .def("has_color", &style::Style::has_color, "Whether there is a color layer.")
+        .def("fixes_marks", &style::Style::fixes_marks, "Whether a pen fixes its marks to paths.")
         .def("pens", &pens_in_order,
              "Those in focus of visible parts by line set, of hidden parts, and all those out of focus.")
         .def("width_px", &style::Style::width_px, py::arg("pen"), py::arg("reference_scale"),

@@ -376,3 +376,16 @@ TEST(Marks, AreKeptWithWhatAFrameFoundIfAPenHasSome) {
     on_screen.style.line_sets[0].pen.texture_anchor = style::Anchor::screen;
     EXPECT_FALSE(Frame(std::move(on_screen)).found_lines()->lines.marked);
 }
+
+TEST(Marks, AreAsLongAsThoseOfTheFirstPenThatFixesThem) {
+    Job job = job_at(0, 4);
+    style::LineSet& set = job.style.line_sets[0];
+    set.pen.texture_anchor = style::Anchor::screen;
+    style::Hidden hidden;
+    hidden.pen = set.pen;
+    hidden.pen.texture_anchor = style::Anchor::path;
+    set.hidden.push_back(hidden);
+    const auto found = Frame(std::move(job)).found_lines();
+    ASSERT_TRUE(found->lines.marked);
+    EXPECT_NE(found->lines.marked->content(), 0u);
+}

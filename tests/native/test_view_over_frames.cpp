@@ -157,11 +157,6 @@ TEST(ViewOverFrames, AContourThatComesIsSeenFromHalfWayOnAndOneThatGoesUntilThen
 }
 
 TEST(ViewOverFrames, OfAnObjectThatGoesTooFarFromFrameToFrameAllIsAsItIs) {
-    const auto frame = middle_of(2, [](int k) {
-        return job_of({place(meshes::box(vec3(-0.5f), vec3(0.5f)), moved({0, 0, 0}), 1)},
-                      orthographic({0, -10, 0}, {0, 0, 0}, across, width, height), 2);
-    });
-    EXPECT_TRUE(frame->seen.empty());
     // An ellipsoid whose contour sweeps over it.
     const auto fast = middle_of(2, [](int k) {
         const dmat4 turned = glm::rotate(dmat4(1.0), 0.7 * k, dvec3(0, 0, 1)) * scaled({1.5, 0.2, 0.8});
@@ -175,7 +170,10 @@ TEST(ViewOverFrames, OfAnObjectThatGoesTooFarFromFrameToFrameAllIsAsItIs) {
 TEST(ViewOverFrames, WhatElisionLeavesWhereALineIsHiddenIsThatOfTheFramesWhereItIsSeen) {
     // Close to one another, the smaller of two contours fades.
     const auto placed = [](double x) {
-        return std::vector<Placement>{cylinder(0.0), place(meshes::cylinder(64), glm::rotate(scaled({1, 1, 1}), glm::radians(90.0), dvec3(0, 1, 0)) * scaled({0.99, 0.99, 1}), 3), bar(x, 0.3)};
+        Placement smaller = cylinder(0.0);
+        smaller.id = 3;
+        smaller.object_to_world = smaller.object_to_world * scaled({0.99, 0.99, 1.0});
+        return std::vector<Placement>{cylinder(0.0), smaller, bar(x, 0.3)};
     };
     const auto frame = middle_of(2, [&](int k) { return job_of(placed(0.15 * k), front, 2, true); });
     const auto bare = middle_of(2, [&](int) { return job_of(placed(10.0), front, 2, true); });

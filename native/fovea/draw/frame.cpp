@@ -291,18 +291,20 @@ bool Frame::lasts() const {
 }
 
 bool Frame::hands_on() const {
-    const auto anchored = [](const style::Pen& pen) { return pen.texture_anchor == style::Anchor::path; };
     const style::Animation& animation = job.style.animation;
     return (animation.marks_frames > 0 || animation.marks_baked) && !method_of(job.options.visibility).in_strokes &&
-           job.assets && std::ranges::any_of(pens_in_order(job.style), anchored);
+           job.assets && job.style.fixes_marks();
 }
 
-/// Per line set: length of the marks that its pen in focus fixes to paths [px]; 0: it fixes none.
+/// Per line set: length of the marks that its pens fix to paths [px], of the first one that does: in focus before out of
+/// it, of visible parts before hidden ones; 0: none does.
 std::vector<double> Frame::mark_lengths() const {
     const Pens all = pens_of(job.style, *job.assets, scale());
-    std::vector<double> lengths(job.style.line_sets.size());
-    for (std::size_t set = 0; set < lengths.size(); ++set)
-        if (is_anchored(all.pens[set])) lengths[set] = mark_length_px(all.pens[set]);
+    std::vector<double> lengths(job.style.line_sets.size(), 0.0);
+    for (const PenRange& range : all.ranges)
+        for (const Index pen : {range.pen, all.pens[range.pen].away})
+            if (pen != none && lengths[range.line_set] == 0.0 && is_anchored(all.pens[pen]))
+                lengths[range.line_set] = mark_length_px(all.pens[pen]);
     return lengths;
 }
 

@@ -55,11 +55,11 @@ struct Animation {
         Field{"written", &Animation::written, "Written",
               "How much of each line is drawn, from its start: keyed from 0 to 1, lines write themselves", share},
         Field{"visibility_frames", &Animation::visibility_frames, "Visibility Over Frames",
-              "Renders draw lines of meshes by how long they are seen from so many frames before to as many after: a "
+              "Renders draw lines by how long they are seen from so many frames before to as many after: a "
               "single one takes as many times as long, an animation little longer",
               number(0, 8, 8)},
         Field{"vanish", &Animation::vanish, "Come and Go",
-              "What lines of meshes do that are seen for a part of that time"},
+              "What lines do that are seen for a part of that time"},
         Field{"marks_frames", &Animation::marks_frames, "Marks Over Frames",
               "For how many frames marks of lines of the view move with surfaces, such as dashes and grain of contours "
               "that are fixed to paths, until they have gone over to others: renders look at so many frames around "

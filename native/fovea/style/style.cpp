@@ -23,6 +23,12 @@ bool Style::has_away() const {
            std::ranges::any_of(line_sets, [](const LineSet& set) { return set.overshoot_away.has_value(); });
 }
 
+bool Style::fixes_marks() const {
+    return std::ranges::any_of(pen_pairs(), [](const PenPair& pair) {
+        return pair.pen->texture_anchor == Anchor::path || (pair.away && pair.away->texture_anchor == Anchor::path);
+    });
+}
+
 Index Style::counted() const {
     int most = 0;
     for (const LineSet& set : line_sets)

@@ -53,6 +53,8 @@ struct Style {
     std::vector<PenPair> pen_pairs() const;
     /// Whether any pen or overshoot differs out of focus.
     bool has_away() const;
+    /// Whether a pen fixes its marks to paths.
+    bool fixes_marks() const;
     /// Levels of quantitative invisibility that the ranges distinguish; 0: hidden lines are not drawn.
     Index counted() const;
     /// Width of a pen in image pixels. `reference_scale`: image pixels per reference pixel.
