@@ -10,7 +10,8 @@ namespace fovea::elision {
 namespace {
 
 constexpr double reach = 8.0;        // reference pixels from a moved point to its line
-constexpr double trusted = 4.0;      // reference pixels at which a place counts for 1 / e
+constexpr double trusted = 4.0;      // reference pixels at which a place counts for 1 / e; to one right beside it
+constexpr double far_along = 24.0;   // reference pixels between places of a line that are not neighbors
 constexpr double same_way = 0.7;     // cosine between the directions of a line found again
 constexpr double same_depth = 0.05;  // of the distance from the eye
 
@@ -54,9 +55,9 @@ bool is_inside(const Moved& moved, const View& view) {
            moved.px.y <= view.height;
 }
 
-}  // namespace
-
-Array<FoundPlace> found_places(const ViewLines& now, const ViewLines& there) {
+/// The nearest places that accept(place, other, beyond) lets count, of numbers of places and pixels along the other line.
+template <typename Accept>
+Array<FoundPlace> nearest_places(const ViewLines& now, const ViewLines& there, const Accept& accept) {
     const Carrier carrier(now, there);
     const double scale = there.view.reference_scale;
     const Array<Moved> moved = parallel_map<Moved>(now.places.size(), [&](std::size_t j) {
@@ -83,17 +84,42 @@ Array<FoundPlace> found_places(const ViewLines& now, const ViewLines& there) {
             const ViewLines::Place& other = there.places[k];
             const double away = glm::distance(moved[j].px, other.px), along = glm::dot(way, other.way);
             if (away >= nearest || std::abs(along) < same_way || other.placed != carrier.number(place) ||
-                (other.kinds & place.kinds) == 0 ||
                 std::abs(other.depth - moved[j].depth) > same_depth * std::abs(moved[j].depth))
                 return;
-            nearest = away;
             const double beyond = glm::dot(moved[j].px - other.px, other.way);
+            if (!accept(j, k, beyond)) return;
+            nearest = away;
             const double aside = std::abs(cross(other.way, moved[j].px - other.px)) / (trusted * scale);
             best = {Index(k), beyond, std::exp(-aside * aside), along > 0.0};
         });
         best.inside = is_inside(moved[j], there.view);
     });
     return found;
+}
+
+}  // namespace
+
+Array<FoundPlace> found_places(const ViewLines& now, const ViewLines& there) {
+    return nearest_places(now, there, [&](std::size_t j, std::size_t k, double) {
+        return (now.places[j].kinds & there.places[k].kinds) != 0;
+    });
+}
+
+Array<FoundPlace> places_beside(const ViewLines& now, const ViewLines& there, In<std::uint8_t> counts) {
+    const double most = trusted * there.view.reference_scale;
+    return nearest_places(now, there, [&](std::size_t, std::size_t k, double beyond) {
+        return counts[k] && std::abs(beyond) <= most;
+    });
+}
+
+Array<std::uint8_t> are_beside(const ViewLines& lines, In<std::uint8_t> counts) {
+    const double scale = lines.view.reference_scale;
+    const auto found = nearest_places(lines, lines, [&](std::size_t j, std::size_t k, double beyond) {
+        const ViewLines::Place &here = lines.places[j], &other = lines.places[k];
+        return counts[k] && std::abs(beyond) <= trusted * scale &&
+               (here.piece != other.piece || std::abs(here.arc - other.arc) > far_along * scale);
+    });
+    return parallel_map<std::uint8_t>(found.size(), [&](std::size_t j) { return found[j].place != none; });
 }
 
 }  // namespace fovea::elision

@@ -20,4 +20,10 @@ struct FoundPlace {
 /// et al. 2003, section 4, hand on marks along). Lines of another object, or of the image, have none.
 Array<FoundPlace> found_places(const ViewLines& now, const ViewLines& there);
 
+/// The same on lines of any definition, right beside a place there. `counts`: per place there, whether it does.
+Array<FoundPlace> places_beside(const ViewLines& now, const ViewLines& there, In<std::uint8_t> counts);
+
+/// Per place: whether one that counts is right beside it, on another line or far along the same one.
+Array<std::uint8_t> are_beside(const ViewLines& lines, In<std::uint8_t> counts);
+
 }  // namespace fovea::elision

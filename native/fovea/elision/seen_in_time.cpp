@@ -80,10 +80,7 @@ class Moment {
         const FoundPlace& at = found_[place];
         if (at.place == none)
             return at.inside && tracked_[now_.of_view->places[place].placed] ? std::optional(false) : std::nullopt;
-        const In<Stretch> stretches = there_.stretches[path_there(at)];
-        const double arc = arc_there(at);
-        const auto stretch = std::ranges::lower_bound(stretches, arc, {}, &Stretch::to);
-        return stretch != stretches.end() && stretch->from <= arc ? std::optional(stretch->seen) : std::nullopt;
+        return elision::is_seen(there_.stretches[path_there(at)], arc_there(at));
     }
 
    private:
@@ -111,6 +108,21 @@ class Moment {
     Array<Index> part_;
     std::vector<bool> tracked_;  // per object: whether most of its lines of the view are found
 };
+
+/// Where the places of the lines of the view are in another frame. A line that is seen goes on in one that is seen there,
+/// whatever its definition: a suggestive contour in a contour. `beside`: per place, whether something is seen right
+/// beside it; what is hidden there stays so, as only what hides it would be drawn twice.
+Array<FoundPlace> found_again(const SeenLines& now, In<std::uint8_t> beside, const SeenLines& there) {
+    Array<FoundPlace> found = found_places(*now.of_view, *there.of_view);
+    const Array<FoundPlace> seen = places_beside(*now.of_view, *there.of_view, there.seen);
+    for (std::size_t j = 0; j < found.size(); ++j) {
+        if (now.seen[j] && seen[j].place != none)
+            found[j] = seen[j];
+        else if (!now.seen[j] && beside[j])
+            found[j] = {};
+    }
+    return found;
+}
 
 /// What stretches say, ascending, and elsewhere what another moment does.
 SeenAlong along(In<Stretch> stretches, const SeenAlong& elsewhere, double length) {
@@ -171,10 +183,11 @@ void spans_above(In<Ramp> ramps, float least, const ClippedPaths& clipped, const
 
 SeenInTime::SeenInTime(const Paths& paths, const SeenLines& now, In<SeenNear> near, int frames)
     : paths_(paths), now_(now), frames_(frames), there_(2 * frames + 1), found_(2 * frames + 1) {
+    const Array<std::uint8_t> beside = are_beside(*now.of_view, now.seen);
     for (const auto& [away, lines] : near) {
         check(away != 0 && std::abs(away) <= frames, "visibility in time: a frame is not near by");
         there_[frames + away] = lines;
-        found_[frames + away] = found_places(*now.of_view, *lines->of_view);
+        found_[frames + away] = found_again(now, beside, *lines);
     }
 }
 

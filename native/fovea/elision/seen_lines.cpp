@@ -2,6 +2,7 @@
 #include <fovea/elision/seen_lines.h>
 
 #include <algorithm>
+#include <utility>
 
 #include <fovea/project/piece_arcs.h>
 
@@ -36,6 +37,11 @@ void add_stretches(const ClippedPaths& clipped, const Paths& paths, const Runs& 
 
 }  // namespace
 
+std::optional<bool> is_seen(In<Stretch> stretches, double arc) {
+    const auto stretch = std::ranges::lower_bound(stretches, arc, {}, &Stretch::to);
+    return stretch != stretches.end() && stretch->from <= arc ? std::optional(stretch->seen) : std::nullopt;
+}
+
 SeenLines seen_lines(const ClippedPaths& clipped, const Paths& paths, const Scene& scene, const Runs& runs,
                      std::shared_ptr<const ViewLines> of_view) {
     const Rows rows = runs_of_pieces(clipped, runs);
@@ -58,6 +64,10 @@ SeenLines seen_lines(const ClippedPaths& clipped, const Paths& paths, const Scen
     parallel_for(some.size(), 256,
                  [&](std::size_t k) { std::ranges::sort(lines.stretches[some[k]], {}, &Stretch::from); });
     lines.parts = LineParts(paths, scene, of_mesh).sorted;
+    lines.seen = parallel_map<std::uint8_t>(of_view->places.size(), [&](std::size_t j) {
+        const ViewLines::Place& place = of_view->places[j];
+        return is_seen(std::as_const(lines.stretches)[of_view->path[place.piece]], place.arc_space).value_or(false);
+    });
     lines.of_view = std::move(of_view);
     return lines;
 }

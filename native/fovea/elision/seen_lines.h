@@ -2,6 +2,8 @@
 // What is seen of the lines of one frame, for frames near it.
 #pragma once
 
+#include <optional>
+
 #include <fovea/elision/line_parts.h>
 #include <fovea/elision/view_lines.h>
 #include <fovea/visibility/runs.h>
@@ -19,10 +21,14 @@ struct SeenLines {
 
     Array<LinePart> parts;  ///< by key, of paths of the mesh
     std::shared_ptr<const ViewLines> of_view;
+    Array<std::uint8_t> seen;  ///< per place of the lines of the view
     Array<float> shown;  ///< what elision leaves of the lines of the view, per place, in [0, 1]; empty: all
     /// Per path: its stretches, ascending and disjoint. What is between them is not in the picture.
     Lists<Stretch> stretches;
 };
+
+/// Whether a place of a path with these stretches is seen; none where they do not say it.
+std::optional<bool> is_seen(In<SeenLines::Stretch> stretches, double arc);
 
 /// `runs`: what is visible among them is seen. `of_view`: of the same paths.
 SeenLines seen_lines(const ClippedPaths& clipped, const Paths& paths, const Scene& scene, const Runs& runs,
