@@ -25,8 +25,7 @@ meshes::Mesh bumps(double phase = 0.0) {
 Lines lines_of(const std::vector<Placement>& placements, const View& view,
                const std::vector<const char*>& names = {"smooth_contour"}, double length = period) {
     const Drawing drawing(placements, view, {line_set(names)});
-    const auto of_view =
-        std::make_shared<ViewLines>(view_lines(drawing.clipped, drawing.paths, drawing.scene, view));
+    const auto of_view = std::make_shared<ViewLines>(view_lines(drawing.clipped, drawing.paths, drawing.scene, view));
     return std::make_shared<MarkedLines>(
         marked_lines(of_view, drawing.clipped, drawing.paths, drawing.scene, std::vector<double>{length}));
 }
@@ -267,8 +266,8 @@ TEST(Marks, RunTheSameWayHoweverALineIsChained) {
             for (Index j = 0; j + 1 < places.size(); ++j) {
                 const auto &here = places[j], &next = places[j + 1];
                 if (here.piece == next.piece)
-                    around += cross(here.px - middle, next.px - middle) *
-                              (lines->own[j + 1] > lines->own[j] ? 1.0 : -1.0);
+                    around +=
+                        cross(here.px - middle, next.px - middle) * (lines->own[j + 1] > lines->own[j] ? 1.0 : -1.0);
             }
             EXPECT_GT(around, 0.0) << degrees << ", " << mirror;
         }

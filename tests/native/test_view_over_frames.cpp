@@ -111,9 +111,8 @@ TEST(ViewOverFrames, VisibilityBlurOfContoursEqualsTheAnalyticTrapezoid) {
     for (const int frames : {1, 2, 4})
         for (const double bar_width : {0.08, 0.2, 0.6}) {
             const double speed = 0.15;
-            const auto frame = middle_of(frames, [&](int k) {
-                return job_of({cylinder(0.03 * k), bar(speed * k, bar_width)}, front, frames);
-            });
+            const auto frame = middle_of(
+                frames, [&](int k) { return job_of({cylinder(0.03 * k), bar(speed * k, bar_width)}, front, frames); });
             ASSERT_FALSE(frame->seen.empty());
             double largest = 0.0;
             EXPECT_GT(each_sample(*frame,
@@ -127,9 +126,8 @@ TEST(ViewOverFrames, VisibilityBlurOfContoursEqualsTheAnalyticTrapezoid) {
 }
 
 TEST(ViewOverFrames, ABlinkOfOneFrameLeavesThreeQuarters) {
-    const auto frame = middle_of(2, [](int k) {
-        return job_of({cylinder(0.03 * k), bar(k == 0 ? 0.0 : 10.0, 1.0)}, front);
-    });
+    const auto frame =
+        middle_of(2, [](int k) { return job_of({cylinder(0.03 * k), bar(k == 0 ? 0.0 : 10.0, 1.0)}, front); });
     int inside = 0;
     each_sample(*frame, [&](double x, double, Index s) {
         if (std::abs(x) > 0.4) return;
@@ -188,9 +186,8 @@ TEST(ViewOverFrames, WhatElisionLeavesWhereALineIsHiddenIsThatOfTheFramesWhereIt
 }
 
 TEST(ViewOverFrames, LinesThatRetractEndWhereTheyAreSeenForHalfOfTheTime) {
-    const auto frame = middle_of(2, [](int k) {
-        return job_of({cylinder(0.0), bar(0.15 * k, 0.6)}, front, 2, false, style::Vanish::retract);
-    });
+    const auto frame = middle_of(
+        2, [](int k) { return job_of({cylinder(0.0), bar(0.15 * k, 0.6)}, front, 2, false, style::Vanish::retract); });
     EXPECT_TRUE(frame->seen.empty());
     for (Index r = 0; r < frame->drawn->size(); ++r) {
         if (frame->drawn->invisibility[r] != 0) continue;

@@ -296,8 +296,8 @@ bool Frame::hands_on() const {
            job.assets && job.style.fixes_marks();
 }
 
-/// Per line set: length of the marks that its pens fix to paths [px], of the first one that does: in focus before out of
-/// it, of visible parts before hidden ones; 0: none does.
+/// Per line set: length of the marks that its pens fix to paths [px], of the first one that does: in focus before out
+/// of it, of visible parts before hidden ones; 0: none does.
 std::vector<double> Frame::mark_lengths() const {
     const Pens all = pens_of(job.style, *job.assets, scale());
     std::vector<double> lengths(job.style.line_sets.size(), 0.0);

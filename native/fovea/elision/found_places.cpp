@@ -55,7 +55,8 @@ bool is_inside(const Moved& moved, const View& view) {
            moved.px.y <= view.height;
 }
 
-/// The nearest places that accept(place, other, beyond) lets count, of numbers of places and pixels along the other line.
+/// The nearest places that accept(place, other, beyond) lets count, of numbers of places and pixels along the other
+/// line.
 template <typename Accept>
 Array<FoundPlace> nearest_places(const ViewLines& now, const ViewLines& there, const Accept& accept) {
     const Carrier carrier(now, there);
@@ -107,9 +108,8 @@ Array<FoundPlace> found_places(const ViewLines& now, const ViewLines& there) {
 
 Array<FoundPlace> places_beside(const ViewLines& now, const ViewLines& there, In<std::uint8_t> counts) {
     const double most = trusted * there.view.reference_scale;
-    return nearest_places(now, there, [&](std::size_t, std::size_t k, double beyond) {
-        return counts[k] && std::abs(beyond) <= most;
-    });
+    return nearest_places(
+        now, there, [&](std::size_t, std::size_t k, double beyond) { return counts[k] && std::abs(beyond) <= most; });
 }
 
 Array<std::uint8_t> are_beside(const ViewLines& lines, In<std::uint8_t> counts) {

@@ -109,9 +109,9 @@ class Moment {
     std::vector<bool> tracked_;  // per object: whether most of its lines of the view are found
 };
 
-/// Where the places of the lines of the view are in another frame. A line that is seen goes on in one that is seen there,
-/// whatever its definition: a suggestive contour in a contour. `beside`: per place, whether something is seen right
-/// beside it; what is hidden there stays so, as only what hides it would be drawn twice.
+/// Where the places of the lines of the view are in another frame. A line that is seen goes on in one that is seen
+/// there, whatever its definition: a suggestive contour in a contour. `beside`: per place, whether something is seen
+/// right beside it; what is hidden there stays so, as only what hides it would be drawn twice.
 Array<FoundPlace> found_again(const SeenLines& now, In<std::uint8_t> beside, const SeenLines& there) {
     Array<FoundPlace> found = found_places(*now.of_view, *there.of_view);
     const Array<FoundPlace> seen = places_beside(*now.of_view, *there.of_view, there.seen);

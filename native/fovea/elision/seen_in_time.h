@@ -27,10 +27,11 @@ class SeenInTime {
     /// (seen_over_time.h), in arc length of this frame's paths: per path; without ramps where nothing changes.
     ///
     /// Lines of the mesh are found by the part of it on which they lie, those of the view by the line nearest to where
-    /// the surface went (found_places.h). What is not in a picture counts there as in the next frame towards this one;
-    /// so do places of the mesh that are on no line of a frame, and all in frames that are not given, beyond a cut.
-    /// Lines of the view that are on none come and go: there they are not seen. Of an object most of whose lines are
-    /// not found, as it moves too far from one frame to the next, they count as in the next one, too.
+    /// the surface went (found_places.h): where they are seen now, by one that is seen there, whatever its definition.
+    /// What is not in a picture counts there as in the next frame towards this one; so do places of the mesh that are
+    /// on no line of a frame, and all in frames that are not given, beyond a cut. Lines of the view that are on none
+    /// come and go: there they are not seen. Of an object most of whose lines are not found, as it moves too far from
+    /// one frame to the next, they count as in the next one, too.
     std::vector<std::vector<Ramp>> ramps() const;
 
     /// What elision leaves of the lines of the view, at places of this frame: its mean over the frames near it in which

@@ -22,7 +22,7 @@ struct SeenLines {
     Array<LinePart> parts;  ///< by key, of paths of the mesh
     std::shared_ptr<const ViewLines> of_view;
     Array<std::uint8_t> seen;  ///< per place of the lines of the view
-    Array<float> shown;  ///< what elision leaves of the lines of the view, per place, in [0, 1]; empty: all
+    Array<float> shown;        ///< what elision leaves of the lines of the view, per place, in [0, 1]; empty: all
     /// Per path: its stretches, ascending and disjoint. What is between them is not in the picture.
     Lists<Stretch> stretches;
 };

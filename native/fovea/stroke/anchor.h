@@ -38,9 +38,7 @@ class PathAnchor {
 };
 
 /// Whether a piece has Marks; `marks` may be null.
-inline bool has_marks(const Marks* marks, Index piece) {
-    return marks && marks->of && marks->of->period[piece] > 0.0;
-}
+inline bool has_marks(const Marks* marks, Index piece) { return marks && marks->of && marks->of->period[piece] > 0.0; }
 
 /// Smooth noise in [-1, 1] at a point, in waves of about `length_px`: fixed to the path where marks are, by two blended
 /// octaves as a texture is (shaders/shared/stroke.glsl), else by its arc length in the image.

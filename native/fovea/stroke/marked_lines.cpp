@@ -76,8 +76,7 @@ void HandedOn::keep(std::uint64_t number, std::shared_ptr<const Array<double>> v
 
 std::uint64_t MarkedLines::content() const {
     if (lines->places.empty() || std::ranges::all_of(period, [](double each) { return each == 0.0; })) return 0;
-    const auto px =
-        parallel_map<dvec2>(lines->places.size(), [&](std::size_t j) { return lines->places[j].px; });
+    const auto px = parallel_map<dvec2>(lines->places.size(), [&](std::size_t j) { return lines->places[j].px; });
     const std::uint64_t hash = hash_of(In<double>(own), hash_of(In<Index>(lines->rows.offsets)));
     return std::max<std::uint64_t>(hash_of(In<dvec2>(px), hash), 1);
 }

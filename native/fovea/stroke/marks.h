@@ -22,14 +22,13 @@ struct Marks {
 using MarkedNear = std::pair<int, std::shared_ptr<const MarkedLines>>;
 
 /// Marks of a frame that is `since_key` frames after a key, of keys that are `frames` apart. In a key marks are where
-/// the frame alone has them (MarkedLines::own). From it they are handed on to the frames after it, and to those before it: a
-/// place has the mark of the line of the same object and definition that is nearest in the image to where its point
-/// of the surface was in the other frame, so that marks move as the surface does (Kalnins et al. 2003, section 4, hand
-/// them on forwards). Between two keys, marks of the first one move steadily to the nearest ones of the second: by at
-/// most half a period. Lines that come between them have their own. Frames must reach from one key to the next without
-/// a gap: beyond one, as at a cut, marks are not handed on, and with none to the next key they stay those of the last
-/// one.
-/// `baked`: of the places of the frame itself; not empty: the marks are these, as they are.
+/// the frame alone has them (MarkedLines::own). From it they are handed on to the frames after it, and to those before
+/// it: a place has the mark of the line of the same object and definition that is nearest in the image to where its
+/// point of the surface was in the other frame, so that marks move as the surface does (Kalnins et al. 2003, section 4,
+/// hand them on forwards). Between two keys, marks of the first one move steadily to the nearest ones of the second: by
+/// at most half a period. Lines that come between them have their own. Frames must reach from one key to the next
+/// without a gap: beyond one, as at a cut, marks are not handed on, and with none to the next key they stay those of
+/// the last one. `baked`: of the places of the frame itself; not empty: the marks are these, as they are.
 Marks marks_in_time(std::shared_ptr<const MarkedLines> now, In<MarkedNear> near, int since_key, int frames,
                     In<double> baked = {});
 

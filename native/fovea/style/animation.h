@@ -58,8 +58,7 @@ struct Animation {
               "Renders draw lines by how long they are seen from so many frames before to as many after: a "
               "single one takes as many times as long, an animation little longer",
               number(0, 8, 8)},
-        Field{"vanish", &Animation::vanish, "Come and Go",
-              "What lines do that are seen for a part of that time"},
+        Field{"vanish", &Animation::vanish, "Come and Go", "What lines do that are seen for a part of that time"},
         Field{"marks_frames", &Animation::marks_frames, "Marks Over Frames",
               "For how many frames marks of lines of the view move with surfaces, such as dashes and grain of contours "
               "that are fixed to paths, until they have gone over to others: renders look at so many frames around "
