@@ -149,7 +149,7 @@ void bind_found_lines(py::module_& m) {
         .def(
             "own_marks",
             [](const NearLines& lines) {
-                return to_numpy(lines.marked ? Array<double>(lines.marked->own) : Array<double>());
+                return to_numpy(lines.marked ? lines.marked->packed(lines.marked->own) : Array<double>());
             },
             "(n,) float64 places of marks along them, in pixels, as the frame alone has them.")
         .def(
@@ -157,8 +157,9 @@ void bind_found_lines(py::module_& m) {
             [](const NearLines& lines, const NearLines& before, const Arg<double>& marks) {
                 const In<double> values = borrow<double>(marks, "marks");
                 return to_numpy(without_gil([&] {
-                    return lines.marked && before.marked ? handed_on(*lines.marked, *before.marked, values)
-                                                         : Array<double>();
+                    if (!lines.marked || !before.marked) return Array<double>();
+                    const MarkedLines &now = *lines.marked, &there = *before.marked;
+                    return now.packed(handed_on(now, there, there.unpacked(values)));
                 }));
             },
             py::arg("before"), py::arg("marks"),

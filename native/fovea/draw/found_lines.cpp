@@ -30,7 +30,9 @@ std::size_t FoundLines::bytes() const {
            bytes_of(*visible, Runs::columns) + bytes_of(*runs, Runs::columns) + bytes_of(samples) + bytes_of(focus) +
            bytes_of(distance) + bytes_of(shown) +
            (lines.shown ? bytes_of(lines.shown->places.samples) + bytes_of(lines.shown->places.parts) : 0) +
-           (lines.seen ? bytes_of(lines.seen->stretches.values) + bytes_of(lines.seen->parts) : 0) +
+           (lines.seen ? bytes_of(lines.seen->stretches.values) + bytes_of(lines.seen->parts) +
+                             bytes_of(lines.seen->seen) + bytes_of(lines.seen->beside) + bytes_of(lines.seen->shown)
+                       : 0) +
            (of_view ? of_view->bytes() : 0) + (lines.marked ? bytes_of(lines.marked->own) : 0);
 }
 

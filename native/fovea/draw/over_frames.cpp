@@ -35,9 +35,12 @@ Runs Frame::over_frames(Runs runs) {
     if (!retracts) seen = seen_at_samples(*clipped, *paths, ramps);
     if (!shown.empty()) {
         const LinePlaces places = line_places(*clipped, *paths, *job.scene, found, job.view.width, job.view.height);
-        const Array<float> drawn_now = samples_from_runs(*clipped, runs);
+        const Array<float> drawn_now = samples_from_runs(*clipped, runs),
+                           drawn_then = samples_from_runs(*clipped, found);
         show_as_near(shown, places, drawn_now, elided);
-        values_from_places(shown, *now.of_view, *clipped, drawn_now, in_time.shown_near());
+        const auto comes = parallel_map<std::uint8_t>(
+            shown.size(), [&](std::size_t s) { return drawn_then[s] > 0.0f && drawn_now[s] == 0.0f; });
+        values_from_places(shown, *now.of_view, *clipped, comes, in_time.shown_near());
         leave_out_faint();
     }
     if (!samples.empty()) {

@@ -9,11 +9,12 @@
 namespace fovea::elision {
 namespace {
 
-constexpr double reach = 8.0;        // reference pixels from a moved point to its line
-constexpr double trusted = 4.0;      // reference pixels at which a place counts for 1 / e; to one right beside it
-constexpr double far_along = 24.0;   // reference pixels between places of a line that are not neighbors
-constexpr double same_way = 0.7;     // cosine between the directions of a line found again
-constexpr double same_depth = 0.05;  // of the distance from the eye
+constexpr double reach = 8.0;    // reference pixels from a moved point to its line
+constexpr double trusted = 4.0;  // reference pixels across, at which a place counts for 1 / e; to one right beside it
+constexpr double along_beside = 2.5;  // reference pixels to one right beside a place, along the line
+constexpr double far_along = 24.0;    // reference pixels between places of a line that are not neighbors
+constexpr double same_way = 0.7;      // cosine between the directions of a line found again
+constexpr double same_depth = 0.05;   // of the distance from the eye
 
 /// Where points of one frame's lines are in another frame.
 class Carrier {
@@ -55,6 +56,25 @@ bool is_inside(const Moved& moved, const View& view) {
            moved.px.y <= view.height;
 }
 
+/// Whether a place is right beside another one, from which it is so many pixels along its line and across it.
+bool is_beside(const dvec2& from, const View& view) {
+    return std::abs(from.x) <= along_beside * view.reference_scale &&
+           std::abs(from.y) <= trusted * view.reference_scale;
+}
+
+/// Whether one place follows another one along a line, or at the end of it the line goes on in another piece.
+bool go_on(const ViewLines& lines, const ViewLines::Place& a, const ViewLines::Place& b) {
+    const double least = far_along * lines.view.reference_scale;
+    const auto to_end = [&](const ViewLines::Place& place) {
+        const double first = lines.places[lines.rows.begin(place.piece)].arc,
+                     last = lines.places[lines.rows.end(place.piece) - 1].arc;
+        return std::min(place.arc - first, last - place.arc);
+    };
+    const double over_ends = to_end(a) + to_end(b);
+    if (a.piece == b.piece) return std::abs(a.arc - b.arc) <= least || (lines.closed[a.piece] && over_ends <= least);
+    return lines.path[a.piece] == lines.path[b.piece] && over_ends <= least;
+}
+
 /// The nearest places that accept(place, other, beyond) lets count, of numbers of places and pixels along the other
 /// line.
 template <typename Accept>
@@ -87,11 +107,11 @@ Array<FoundPlace> nearest_places(const ViewLines& now, const ViewLines& there, c
             if (away >= nearest || std::abs(along) < same_way || other.placed != carrier.number(place) ||
                 std::abs(other.depth - moved[j].depth) > same_depth * std::abs(moved[j].depth))
                 return;
-            const double beyond = glm::dot(moved[j].px - other.px, other.way);
-            if (!accept(j, k, beyond)) return;
+            const dvec2 from(glm::dot(moved[j].px - other.px, other.way), cross(other.way, moved[j].px - other.px));
+            if (!accept(j, k, from)) return;
             nearest = away;
-            const double aside = std::abs(cross(other.way, moved[j].px - other.px)) / (trusted * scale);
-            best = {Index(k), beyond, std::exp(-aside * aside), along > 0.0};
+            const double aside = from.y / (trusted * scale);
+            best = {Index(k), from.x, std::exp(-aside * aside), along > 0.0};
         });
         best.inside = is_inside(moved[j], there.view);
     });
@@ -101,23 +121,20 @@ Array<FoundPlace> nearest_places(const ViewLines& now, const ViewLines& there, c
 }  // namespace
 
 Array<FoundPlace> found_places(const ViewLines& now, const ViewLines& there) {
-    return nearest_places(now, there, [&](std::size_t j, std::size_t k, double) {
+    return nearest_places(now, there, [&](std::size_t j, std::size_t k, const dvec2&) {
         return (now.places[j].kinds & there.places[k].kinds) != 0;
     });
 }
 
 Array<FoundPlace> places_beside(const ViewLines& now, const ViewLines& there, In<std::uint8_t> counts) {
-    const double most = trusted * there.view.reference_scale;
-    return nearest_places(
-        now, there, [&](std::size_t, std::size_t k, double beyond) { return counts[k] && std::abs(beyond) <= most; });
+    return nearest_places(now, there, [&](std::size_t, std::size_t k, const dvec2& from) {
+        return counts[k] && is_beside(from, there.view);
+    });
 }
 
 Array<std::uint8_t> are_beside(const ViewLines& lines, In<std::uint8_t> counts) {
-    const double scale = lines.view.reference_scale;
-    const auto found = nearest_places(lines, lines, [&](std::size_t j, std::size_t k, double beyond) {
-        const ViewLines::Place &here = lines.places[j], &other = lines.places[k];
-        return counts[k] && std::abs(beyond) <= trusted * scale &&
-               (here.piece != other.piece || std::abs(here.arc - other.arc) > far_along * scale);
+    const auto found = nearest_places(lines, lines, [&](std::size_t j, std::size_t k, const dvec2& from) {
+        return counts[k] && is_beside(from, lines.view) && !go_on(lines, lines.places[j], lines.places[k]);
     });
     return parallel_map<std::uint8_t>(found.size(), [&](std::size_t j) { return found[j].place != none; });
 }

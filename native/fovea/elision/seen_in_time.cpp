@@ -2,6 +2,7 @@
 #include <fovea/elision/seen_in_time.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <optional>
 
@@ -41,13 +42,7 @@ class Moment {
    public:
     /// Borrows. `found`: of the places of `now`.
     Moment(const SeenLines& now, const SeenLines& there, const Array<FoundPlace>& found)
-        : now_(now), there_(there), found_(found), part_(matched_parts(now.parts, there.parts)) {
-        const ViewLines& lines = *now.of_view;
-        std::vector<std::ptrdiff_t> more(lines.placed.size());
-        for (std::size_t j = 0; j < found.size(); ++j)
-            if (found[j].inside) more[lines.places[j].placed] += found[j].place == none ? -1 : 1;
-        for (const std::ptrdiff_t of_object : more) tracked_.push_back(of_object >= 0);
-    }
+        : now_(now), there_(there), found_(found), part_(matched_parts(now.parts, there.parts)) {}
 
     /// Appends what is known of a part of a path of the mesh.
     void add_part(Index part, std::vector<Stretch>& out) const {
@@ -78,8 +73,7 @@ class Moment {
     /// Whether a place of the view is seen; none where that is not known.
     std::optional<bool> is_seen(Index place) const {
         const FoundPlace& at = found_[place];
-        if (at.place == none)
-            return at.inside && tracked_[now_.of_view->places[place].placed] ? std::optional(false) : std::nullopt;
+        if (at.place == none) return at.inside ? std::optional(false) : std::nullopt;
         return elision::is_seen(there_.stretches[path_there(at)], arc_there(at));
     }
 
@@ -106,22 +100,46 @@ class Moment {
     const SeenLines &now_, &there_;
     const Array<FoundPlace>& found_;
     Array<Index> part_;
-    std::vector<bool> tracked_;  // per object: whether most of its lines of the view are found
 };
 
-/// Where the places of the lines of the view are in another frame. A line that is seen goes on in one that is seen
-/// there, whatever its definition: a suggestive contour in a contour. `beside`: per place, whether something is seen
-/// right beside it; what is hidden there stays so, as only what hides it would be drawn twice.
-Array<FoundPlace> found_again(const SeenLines& now, In<std::uint8_t> beside, const SeenLines& there) {
-    Array<FoundPlace> found = found_places(*now.of_view, *there.of_view);
-    const Array<FoundPlace> seen = places_beside(*now.of_view, *there.of_view, there.seen);
+/// Where the places of the lines of the view are in the frame beside theirs. A line that is seen goes on in one that is
+/// seen there, whatever its definition: a suggestive contour in a contour. What is hidden right beside something that
+/// is seen stays so: only what hides it would be drawn twice.
+Array<FoundPlace> found_beside(const SeenLines& now, const SeenLines& there) {
+    const ViewLines& lines = *now.of_view;
+    Array<FoundPlace> found = found_places(lines, *there.of_view);
+    const Array<FoundPlace> seen = places_beside(lines, *there.of_view, there.seen);
+    std::vector<std::ptrdiff_t> more(lines.placed.size());  // per object: places that are found than others
     for (std::size_t j = 0; j < found.size(); ++j) {
         if (now.seen[j] && seen[j].place != none)
             found[j] = seen[j];
-        else if (!now.seen[j] && beside[j])
+        else if (!now.seen[j] && now.beside[j])
             found[j] = {};
+        if (found[j].inside) more[lines.places[j].placed] += found[j].place == none ? -1 : 1;
     }
+    for (std::size_t j = 0; j < found.size(); ++j)
+        if (found[j].place == none && more[lines.places[j].placed] < 0) found[j].inside = false;
     return found;
+}
+
+/// Where places are that were found in one frame, in the next one. `next`: of the places of `lines`, which are those of
+/// the former. What was lost stays so.
+Array<FoundPlace> found_along(In<FoundPlace> found, const ViewLines& lines, In<FoundPlace> next) {
+    return parallel_map<FoundPlace>(found.size(), [&](std::size_t j) {
+        FoundPlace at = found[j];
+        if (at.place == none) return FoundPlace{};
+        const Index piece = lines.places[at.place].piece, first = lines.rows.begin(piece),
+                    last = lines.rows.end(piece) - 1;
+        const double arc =
+            std::clamp(lines.places[at.place].arc + at.beyond, lines.places[first].arc, lines.places[last].arc);
+        const double steps = (arc - lines.places[first].arc) / (lines.places[last].arc - lines.places[first].arc);
+        const Index nearest = first + Index(std::lround(steps * (last - first)));
+        FoundPlace then = next[nearest];
+        const double beyond = arc - lines.places[nearest].arc;
+        then.beyond += then.same ? beyond : -beyond;
+        then.same = at.same == then.same;
+        return then;
+    });
 }
 
 /// What stretches say, ascending, and elsewhere what another moment does.
@@ -183,12 +201,22 @@ void spans_above(In<Ramp> ramps, float least, const ClippedPaths& clipped, const
 
 SeenInTime::SeenInTime(const Paths& paths, const SeenLines& now, In<SeenNear> near, int frames)
     : paths_(paths), now_(now), frames_(frames), there_(2 * frames + 1), found_(2 * frames + 1) {
-    const Array<std::uint8_t> beside = are_beside(*now.of_view, now.seen);
     for (const auto& [away, lines] : near) {
         check(away != 0 && std::abs(away) <= frames, "visibility in time: a frame is not near by");
         there_[frames + away] = lines;
-        found_[frames + away] = found_again(now, beside, *lines);
     }
+    for (const int way : {-1, 1}) {
+        const SeenLines* before = &now;
+        for (int away = way; std::abs(away) <= frames && there_[frames + away]; away += way) {
+            const SeenLines& lines = *there_[frames + away];
+            Array<FoundPlace>& found = found_[frames + away];
+            found = found_beside(*before, lines);
+            if (before != &now) found = found_along(found_[frames + away - way], *before->of_view, found);
+            before = &lines;
+        }
+    }
+    // Beyond a frame that is not given, nothing is found.
+    for (Array<FoundPlace>& found : found_) found.resize(now.of_view->places.size(), FoundPlace{});
 }
 
 std::vector<std::vector<Ramp>> SeenInTime::ramps() const {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include <fovea/elision/found_places.h>
 #include <fovea/project/piece_arcs.h>
 
 namespace fovea::elision {
@@ -68,6 +69,7 @@ SeenLines seen_lines(const ClippedPaths& clipped, const Paths& paths, const Scen
         const ViewLines::Place& place = of_view->places[j];
         return is_seen(std::as_const(lines.stretches)[of_view->path[place.piece]], place.arc_space).value_or(false);
     });
+    lines.beside = are_beside(*of_view, lines.seen);
     lines.of_view = std::move(of_view);
     return lines;
 }

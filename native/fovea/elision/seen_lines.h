@@ -21,8 +21,9 @@ struct SeenLines {
 
     Array<LinePart> parts;  ///< by key, of paths of the mesh
     std::shared_ptr<const ViewLines> of_view;
-    Array<std::uint8_t> seen;  ///< per place of the lines of the view
-    Array<float> shown;        ///< what elision leaves of the lines of the view, per place, in [0, 1]; empty: all
+    Array<std::uint8_t> seen;    ///< per place of the lines of the view
+    Array<std::uint8_t> beside;  ///< per place of them, whether something is seen right beside it (found_places.h)
+    Array<float> shown;  ///< what elision leaves of the lines of the view, per place, in [0, 1]; empty: not known
     /// Per path: its stretches, ascending and disjoint. What is between them is not in the picture.
     Lists<Stretch> stretches;
 };

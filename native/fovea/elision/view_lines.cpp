@@ -58,7 +58,10 @@ class Finder {
         out.path.assign(clipped_.path.begin(), clipped_.path.end());
         out.closed.assign(clipped_.closed.begin(), clipped_.closed.end());
         for (Index q = 0; q < count; ++q)
-            if (wanted(q)) out.rows.offsets[q] = 1 + Index(std::max(1.0, std::ceil(length_of(q) / step_px)));
+            if (wanted(q)) {
+                const double least = clipped_.closed[q] ? 3.0 : 1.0;  // steps, so that a line has a direction
+                out.rows.offsets[q] = 1 + Index(std::max(least, std::ceil(length_of(q) / step_px)));
+            }
         counts_to_offsets(out.rows.offsets);
         out.places.resize(out.rows.offsets.back());
         parallel_for(count, 64, [&](std::size_t q) {
@@ -159,15 +162,15 @@ Array<float> values_at_places(const ViewLines& lines, const ClippedPaths& clippe
     return found;
 }
 
-void values_from_places(Array<float>& values, const ViewLines& lines, const ClippedPaths& clipped, In<float> now,
-                        In<float> at_places) {
+void values_from_places(Array<float>& values, const ViewLines& lines, const ClippedPaths& clipped,
+                        In<std::uint8_t> where, In<float> at_places) {
     parallel_for(lines.rows.count(), 64, [&](std::size_t q) {
         if (lines.rows.size(Index(q)) == 0) return;
         const Index begin = lines.rows.begin(Index(q)), last = lines.rows.end(Index(q)) - 1;
         const PieceSamples samples(clipped, Index(q));
         Index after = begin + 1;
         for (std::ptrdiff_t s = 0; s < samples.count(); ++s) {
-            if (now[samples.in_atlas(s)] > 0.0f) continue;
+            if (!where[samples.in_atlas(s)]) continue;
             while (after < last && lines.places[after].arc < samples.arc(s)) ++after;
             const double from = lines.places[after - 1].arc, to = lines.places[after].arc;
             const double share = std::clamp((samples.arc(s) - from) / (to - from), 0.0, 1.0);

@@ -52,8 +52,8 @@ ViewLines view_lines(const ClippedPaths& clipped, const Paths& paths, const Scen
 /// Values per atlas sample at the places; 1 where there are no samples.
 Array<float> values_at_places(const ViewLines& lines, const ClippedPaths& clipped, In<float> values);
 
-/// Sets values per atlas sample from those of the places, where `now` is 0 (per atlas sample).
-void values_from_places(Array<float>& values, const ViewLines& lines, const ClippedPaths& clipped, In<float> now,
-                        In<float> at_places);
+/// Sets values per atlas sample from those of the places. `where`: per atlas sample, whether it does.
+void values_from_places(Array<float>& values, const ViewLines& lines, const ClippedPaths& clipped,
+                        In<std::uint8_t> where, In<float> at_places);
 
 }  // namespace fovea::elision

@@ -5,6 +5,7 @@
 #include <atomic>
 #include <cmath>
 
+#include <fovea/base/check.h>
 #include <fovea/base/hash.h>
 #include <fovea/base/parallel.h>
 
@@ -75,10 +76,36 @@ void HandedOn::keep(std::uint64_t number, std::shared_ptr<const Array<double>> v
 }
 
 std::uint64_t MarkedLines::content() const {
-    if (lines->places.empty() || std::ranges::all_of(period, [](double each) { return each == 0.0; })) return 0;
-    const auto px = parallel_map<dvec2>(lines->places.size(), [&](std::size_t j) { return lines->places[j].px; });
-    const std::uint64_t hash = hash_of(In<double>(own), hash_of(In<Index>(lines->rows.offsets)));
+    Array<Index> sizes;
+    Array<dvec2> px;
+    for (Index q = 0; q < period.size(); ++q) {
+        if (period[q] == 0.0) continue;
+        sizes.push_back(lines->rows.size(q));
+        for (Index j = lines->rows.begin(q); j < lines->rows.end(q); ++j) px.push_back(lines->places[j].px);
+    }
+    if (px.empty()) return 0;
+    const Array<double> marks = packed(own);
+    const std::uint64_t hash = hash_of(In<double>(marks), hash_of(In<Index>(sizes)));
     return std::max<std::uint64_t>(hash_of(In<dvec2>(px), hash), 1);
+}
+
+Array<double> MarkedLines::packed(In<double> values) const {
+    Array<double> made;
+    for (std::size_t j = 0; j < values.size(); ++j)
+        if (period[lines->places[j].piece] > 0.0) made.push_back(values[j]);
+    return made;
+}
+
+Array<double> MarkedLines::unpacked(In<double> packed) const {
+    Array<double> made(own.size(), 0.0);
+    std::size_t next = 0;
+    for (std::size_t j = 0; j < made.size(); ++j) {
+        if (period[lines->places[j].piece] == 0.0) continue;
+        check(next < packed.size(), "marks: too few for these lines");
+        made[j] = packed[next++];
+    }
+    check(next == packed.size(), "marks: too many for these lines");
+    return made;
 }
 
 MarkedLines marked_lines(std::shared_ptr<const ViewLines> lines, const ClippedPaths& clipped, const Paths& paths,

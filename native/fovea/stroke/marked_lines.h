@@ -33,8 +33,12 @@ struct MarkedLines {
     /// Marks of the places (marks.h), of chains of frames.
     std::unique_ptr<HandedOn> handed_on = std::make_unique<HandedOn>();
 
-    /// Hash of where the places are and of their own marks; 0: no line has marks.
+    /// Hash of where the places with marks are and of their own marks; 0: there are none.
     std::uint64_t content() const;
+    /// Values per place, of those with marks alone.
+    Array<double> packed(In<double> values) const;
+    /// The other way around; 0 elsewhere. Throws std::invalid_argument where they are not as many.
+    Array<double> unpacked(In<double> packed) const;
 };
 
 /// `lines`: of the same paths. `period`: per line set, length of the marks of its pen in px; 0: its lines have none.

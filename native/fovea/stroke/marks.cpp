@@ -143,8 +143,8 @@ Marks marks_in_time(std::shared_ptr<const MarkedLines> now, In<MarkedNear> near,
     Marks marks{now, {}, {}, {}, 0.0};
     if (!baked.empty()) {
         const MarkedLines& itself = *lines[0];
-        check(baked.size() == itself.own.size(), "marks: those baked are not of these lines");
-        marks.last = moment ? handed_on(*moment, itself, baked) : Array<double>(baked.begin(), baked.end());
+        const Array<double> of_places = itself.unpacked(baked);
+        marks.last = moment ? handed_on(*moment, itself, of_places) : of_places;
         marks.at = marks.last;
         return marks;
     }

@@ -28,7 +28,8 @@ using MarkedNear = std::pair<int, std::shared_ptr<const MarkedLines>>;
 /// hand them on forwards). Between two keys, marks of the first one move steadily to the nearest ones of the second: by
 /// at most half a period. Lines that come between them have their own. Frames must reach from one key to the next
 /// without a gap: beyond one, as at a cut, marks are not handed on, and with none to the next key they stay those of
-/// the last one. `baked`: of the places of the frame itself; not empty: the marks are these, as they are.
+/// the last one. `baked`: of the places with marks of the frame itself (MarkedLines::packed); not empty: the marks are
+/// these, as they are.
 Marks marks_in_time(std::shared_ptr<const MarkedLines> now, In<MarkedNear> near, int since_key, int frames,
                     In<double> baked = {});
 
