@@ -3,30 +3,20 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-#include <fovea/draw/frame.h>
-#include <fovea/focus/at_samples.h>
-#include <fovea/style/json.h>
 #include <fovea/vector/center_lines.h>
 #include <fovea/vector/compose.h>
 
-#include "drawing.h"
+#include "over_frames.h"
 
 using namespace fovea;
 using namespace fovea::draw;
 using namespace fovea::drawing;
+using namespace fovea::over_frames;
 
 namespace {
 
-constexpr double across = 4.0;  // units from the left to the right of the picture
-constexpr int width = 400, height = 300;
-
 style::Style style_of(int frames, style::Vanish vanish = style::Vanish::fade, bool elided = false) {
-    style::Style style = style::read_style(R"({"schema": 1, "line_sets": [{"kinds": {"border": {}}, "least_length": 0,
-        "pen": {"width": 6, "width_unit": "pixels", "cap": "butt"}}]})");
-    style.animation.visibility_frames = frames;
-    style.animation.vanish = vanish;
-    style.elision.enabled = elided;
-    return style;
+    return over_frames::style_of("border", frames, vanish, elided);
 }
 
 /// A plate of 2 x 2 units, and a bar before it, whose middle is at `x`; none without.
@@ -36,41 +26,21 @@ Job job_at(std::optional<double> x, double bar_width, const style::Style& style)
         placed.push_back(
             place(meshes::box(vec3(-0.5f * float(bar_width), -3, 1), vec3(0.5f * float(bar_width), 3, 1.1f)),
                   moved({*x, 0, 0}), 2, usage_occlude));
-    return {.scene = std::make_shared<Scene>(Scene(std::move(placed))),
-            .view = orthographic({0, 0, 10}, {0, 0, 0}, across, width, height),
-            .style = style,
-            .assets = std::make_shared<Assets>("."),
-            .backend = std::make_shared<CpuBackend>()};
+    return job_of(std::move(placed), {0, 0, 10}, style);
 }
 
 /// Frame 0 of those that place(frame) makes, over so many frames to each side.
 template <typename Place>
 std::unique_ptr<Frame> middle_of(int frames, const style::Style& style, const Place& place, double bar_width = 0.2) {
-    Job job = job_at(place(0), bar_width, style);
-    for (int k = -frames; k <= frames; ++k)
-        if (k != 0) job.near.emplace_back(k, Frame(job_at(place(k), bar_width, style)).found_lines()->lines);
-    auto frame = std::make_unique<Frame>(std::move(job));
-    frame->picture();
-    return frame;
+    return over_frames::middle_of(frames, [&](int k) { return job_at(place(k), bar_width, style); });
 }
 
 /// Calls visit(x, sample) for the samples along the upper and the lower edge of the plate.
 template <typename Visit>
-void each_sample(const Frame& frame, const Visit& visit) {
-    const Array<vec2> places =
-        at_samples(*frame.clipped, [&](const SamplePlace& at) { return px_at(*frame.clipped, at); });
-    for (std::size_t s = 0; s < places.size(); ++s) {
-        const double x = (places[s].x / width - 0.5) * across,
-                     y = (places[s].y / height - 0.5) * across * height / width;
-        if (std::abs(std::abs(y) - 1.0) < 1e-3 && std::abs(x) < 0.999) visit(x, Index(s));
-    }
-}
-
-/// Share of the time from -frames to frames for which a bar that passes 0 at time 0 does not hide a place.
-double trapezoid(double x, double bar_width, double speed, int frames) {
-    const double from = std::max((x - 0.5 * bar_width) / speed, -double(frames));
-    const double to = std::min((x + 0.5 * bar_width) / speed, double(frames));
-    return 1.0 - std::max(to - from, 0.0) / (2.0 * frames);
+void each_sample_of_edges(const Frame& frame, const Visit& visit) {
+    each_sample(frame, [&](const dvec2& at, Index s) {
+        if (std::abs(std::abs(at.y) - 1.0) < 1e-3 && std::abs(at.x) < 0.999) visit(at.x, s);
+    });
 }
 
 /// Ink of the picture where the line is in the middle, per column.
@@ -91,7 +61,7 @@ TEST(OverFrames, VisibilityBlurEqualsTheAnalyticTrapezoid) {
                 middle_of(frames, style_of(frames), [&](int k) { return std::optional(speed * k); }, bar_width);
             double largest = 0.0;
             int count = 0;
-            each_sample(*frame, [&](double x, Index s) {
+            each_sample_of_edges(*frame, [&](double x, Index s) {
                 largest = std::max(largest, std::abs(frame->seen[s] - trapezoid(x, bar_width, speed, frames)));
                 ++count;
             });
@@ -203,7 +173,7 @@ TEST(OverFrames, WhatIsElidedStaysSoWhereItIsHiddenNow) {
     const auto bar = [&](int k) { return std::optional(0.15 * k); };
     const auto frame = middle_of(2, style_of(2, style::Vanish::fade, true), bar);
     ASSERT_FALSE(frame->shown.empty());
-    each_sample(*frame, [&](double, Index s) { EXPECT_EQ(frame->shown[s], 1.0f); });
+    each_sample_of_edges(*frame, [&](double, Index s) { EXPECT_EQ(frame->shown[s], 1.0f); });
     // As if it were elided by half in all frames near by.
     style::Style style = style_of(2, style::Vanish::fade, true);
     Job job = job_at(bar(0), 0.2, style);
@@ -216,7 +186,7 @@ TEST(OverFrames, WhatIsElidedStaysSoWhereItIsHiddenNow) {
     }
     Frame elided(std::move(job));
     elided.picture();
-    each_sample(elided, [&](double x, Index s) {
+    each_sample_of_edges(elided, [&](double x, Index s) {
         if (std::abs(std::abs(x) - 0.1) > 0.02) {
             EXPECT_EQ(elided.shown[s], std::abs(x) < 0.1 ? 0.5f : 1.0f) << x;
         }
@@ -230,11 +200,8 @@ TEST(OverFrames, SampledVisibilityFadesTheSameWay) {
         made.options.visibility = Visibility::atlas;
         return made;
     };
-    Job middle = job(0);
-    for (const int k : {-2, -1, 1, 2}) middle.near.emplace_back(k, Frame(job(k)).found_lines()->lines);
-    Frame frame(std::move(middle));
-    frame.picture();
-    const std::vector<float> ink = ink_along(frame);
+    const auto frame = over_frames::middle_of(2, job);
+    const std::vector<float> ink = ink_along(*frame);
     for (int column = 0; column < width; ++column) {
         const double x = ((column + 0.5) / width - 0.5) * across;
         if (std::abs(x) < 0.98) {

@@ -4,54 +4,24 @@
 #include <gtest/gtest.h>
 #include <set>
 
-#include <fovea/draw/frame.h>
-#include <fovea/focus/at_samples.h>
-#include <fovea/style/json.h>
-
-#include "drawing.h"
+#include "over_frames.h"
 
 using namespace fovea;
 using namespace fovea::draw;
 using namespace fovea::drawing;
+using namespace fovea::over_frames;
 
 namespace {
 
-constexpr double across = 4.0;  // units from the left to the right of the picture
-constexpr int width = 400, height = 300;
-
-Job job_of(std::vector<Placement> placements, const View& view, int frames = 2, bool elided = false,
+Job job_of(std::vector<Placement> placements, int frames = 2, bool elided = false,
            style::Vanish vanish = style::Vanish::fade) {
-    style::Style style = style::read_style(R"({"schema": 1, "line_sets": [{"kinds": {"smooth_contour": {}},
-        "least_length": 0, "pen": {"width": 6, "width_unit": "pixels", "cap": "butt"}}]})");
-    style.animation.visibility_frames = frames;
-    style.animation.vanish = vanish;
-    style.elision.enabled = elided;
-    return {.scene = std::make_shared<Scene>(Scene(std::move(placements))),
-            .view = view,
-            .style = style,
-            .assets = std::make_shared<Assets>("."),
-            .backend = std::make_shared<CpuBackend>()};
+    return over_frames::job_of(std::move(placements), {0, -10, 0}, style_of("smooth_contour", frames, vanish, elided));
 }
 
-/// Frame 0 of those that job(frame) makes, over so many frames to each side.
-template <typename Make>
-std::unique_ptr<Frame> middle_of(int frames, const Make& make) {
-    Job job = make(0);
-    for (int k = -frames; k <= frames; ++k)
-        if (k != 0) job.near.emplace_back(k, Frame(make(k)).found_lines()->lines);
-    auto frame = std::make_unique<Frame>(std::move(job));
-    frame->picture();
-    return frame;
-}
-
-const View front = orthographic({0, -10, 0}, {0, 0, 0}, across, width, height);
-
-/// Turns about the axis of a cylinder that lies along x, and about z, upright, which moves its contours over it.
-Placement cylinder(double roll, double turn = 0.0) {
+/// Along x, turned about its axis, which moves its contours over it.
+Placement cylinder(double roll) {
     const dmat4 lying = glm::rotate(dmat4(1.0), glm::radians(90.0), dvec3(0, 1, 0));
-    return place(meshes::cylinder(64),
-                 glm::rotate(dmat4(1.0), turn, dvec3(0, 0, 1)) * glm::rotate(dmat4(1.0), roll, dvec3(1, 0, 0)) * lying,
-                 1);
+    return place(meshes::cylinder(64), glm::rotate(dmat4(1.0), roll, dvec3(1, 0, 0)) * lying, 1);
 }
 
 /// A cylinder whose contours lie right inside of those of another one.
@@ -65,23 +35,6 @@ Placement smaller_cylinder() {
 Placement bar(double x, double bar_width) {
     const vec3 half(0.5f * float(bar_width), 0.1f, 3.0f);
     return place(meshes::box(-half, half), moved({x, -4, 0}), 2, usage_occlude);
-}
-
-/// Share of the time from -frames to frames for which a bar that passes 0 at time 0 does not hide a place.
-double trapezoid(double x, double bar_width, double speed, int frames) {
-    const double from = std::max((x - 0.5 * bar_width) / speed, -double(frames));
-    const double to = std::min((x + 0.5 * bar_width) / speed, double(frames));
-    return 1.0 - std::max(to - from, 0.0) / (2.0 * frames);
-}
-
-/// Calls visit(x, z, sample) for the samples of the lines.
-template <typename Visit>
-int each_sample(const Frame& frame, const Visit& visit) {
-    const Array<vec2> places =
-        at_samples(*frame.clipped, [&](const SamplePlace& at) { return px_at(*frame.clipped, at); });
-    for (std::size_t s = 0; s < places.size(); ++s)
-        visit((places[s].x / width - 0.5) * across, (places[s].y / height - 0.5) * across * height / width, Index(s));
-    return int(places.size());
 }
 
 /// Spheres of one object: middles and radii.
@@ -111,8 +64,8 @@ Placement two_spheres(bool both, double grown = 0.0) {
 /// The least and the largest share of the samples of the small sphere, or of the large one.
 std::pair<float, float> shares_of(const Frame& frame, bool small) {
     std::pair<float, float> found{2.0f, -1.0f};
-    each_sample(frame, [&](double x, double, Index s) {
-        if ((x > 0.6) != small) return;
+    each_sample(frame, [&](const dvec2& at, Index s) {
+        if ((at.x > 0.6) != small) return;
         const float share = frame.seen.empty() ? 1.0f : frame.seen[s];
         found = {std::min(found.first, share), std::max(found.second, share)};
     });
@@ -126,25 +79,25 @@ TEST(ViewOverFrames, VisibilityBlurOfContoursEqualsTheAnalyticTrapezoid) {
         for (const double bar_width : {0.08, 0.2, 0.6}) {
             const double speed = 0.15;
             const auto frame = middle_of(
-                frames, [&](int k) { return job_of({cylinder(0.03 * k), bar(speed * k, bar_width)}, front, frames); });
+                frames, [&](int k) { return job_of({cylinder(0.03 * k), bar(speed * k, bar_width)}, frames); });
             ASSERT_FALSE(frame->seen.empty());
             double largest = 0.0;
-            EXPECT_GT(each_sample(*frame,
-                                  [&](double x, double, Index s) {
-                                      const double share = trapezoid(x, bar_width, speed, frames);
-                                      largest = std::max(largest, std::abs(frame->seen[s] - share));
-                                  }),
-                      100);
+            int count = 0;
+            each_sample(*frame, [&](const dvec2& at, Index s) {
+                const double share = trapezoid(at.x, bar_width, speed, frames);
+                largest = std::max(largest, std::abs(frame->seen[s] - share));
+                ++count;
+            });
+            EXPECT_GT(count, 100);
             EXPECT_LT(largest, 0.02) << frames << " frames, a bar of " << bar_width;
         }
 }
 
 TEST(ViewOverFrames, ABlinkOfOneFrameLeavesThreeQuarters) {
-    const auto frame =
-        middle_of(2, [](int k) { return job_of({cylinder(0.03 * k), bar(k == 0 ? 0.0 : 10.0, 1.0)}, front); });
+    const auto frame = middle_of(2, [](int k) { return job_of({cylinder(0.03 * k), bar(k == 0 ? 0.0 : 10.0, 1.0)}); });
     int inside = 0;
-    each_sample(*frame, [&](double x, double, Index s) {
-        if (std::abs(x) > 0.4) return;
+    each_sample(*frame, [&](const dvec2& at, Index s) {
+        if (std::abs(at.x) > 0.4) return;
         EXPECT_NEAR(frame->seen[s], 0.75f, 1e-4);
         ++inside;
     });
@@ -154,7 +107,7 @@ TEST(ViewOverFrames, ABlinkOfOneFrameLeavesThreeQuarters) {
 }
 
 TEST(ViewOverFrames, AContourThatIsThereForOneFrameAloneIsAQuarter) {
-    const auto frame = middle_of(2, [](int k) { return job_of({two_spheres(k == 0, 0.003 * k)}, front); });
+    const auto frame = middle_of(2, [](int k) { return job_of({two_spheres(k == 0, 0.003 * k)}); });
     const auto [least, most] = shares_of(*frame, true);
     EXPECT_NEAR(least, 0.25f, 1e-4);
     EXPECT_NEAR(most, 0.25f, 1e-4);
@@ -163,7 +116,7 @@ TEST(ViewOverFrames, AContourThatIsThereForOneFrameAloneIsAQuarter) {
 
 TEST(ViewOverFrames, AContourThatComesIsSeenFromHalfWayOnAndOneThatGoesUntilThen) {
     for (const int direction : {-1, 1}) {
-        const auto frame = middle_of(2, [&](int k) { return job_of({two_spheres(direction * k >= 0)}, front); });
+        const auto frame = middle_of(2, [&](int k) { return job_of({two_spheres(direction * k >= 0)}); });
         EXPECT_NEAR(shares_of(*frame, true).first, 2.5f / 4.0f, 1e-4) << direction;
     }
 }
@@ -172,7 +125,7 @@ TEST(ViewOverFrames, OfAnObjectThatGoesTooFarFromFrameToFrameAllIsAsItIs) {
     // An ellipsoid whose contour sweeps over it.
     const auto fast = middle_of(2, [](int k) {
         const dmat4 turned = glm::rotate(dmat4(1.0), 0.7 * k, dvec3(0, 0, 1)) * scaled({1.5, 0.2, 0.8});
-        return job_of({place(meshes::sphere(40), turned, 1)}, front);
+        return job_of({place(meshes::sphere(40), turned, 1)});
     });
     ASSERT_FALSE(fast->clipped->path.empty());
     const auto least = fast->seen.empty() ? 1.0f : *std::ranges::min_element(fast->seen);
@@ -184,7 +137,7 @@ TEST(ViewOverFrames, ARoundOutlineStaysWholeHoweverFarItsSurfaceTurnsInAll) {
     std::vector<vec4> each{{0, 0, 0, 1.3f}};
     for (int i = 0; i < 12; ++i) each.emplace_back(0, 0, 0.2f * i - 1.1f, 0.15f);
     const auto frame = middle_of(8, [&](int k) {
-        return job_of({spheres(each, glm::rotate(dmat4(1.0), glm::radians(4.0) * k, dvec3(0, 0, 1)))}, front, 8);
+        return job_of({spheres(each, glm::rotate(dmat4(1.0), glm::radians(4.0) * k, dvec3(0, 0, 1)))}, 8);
     });
     const auto least = frame->seen.empty() ? 1.0f : *std::ranges::min_element(frame->seen);
     EXPECT_GT(frame->clipped->samples, 100u);
@@ -192,20 +145,16 @@ TEST(ViewOverFrames, ARoundOutlineStaysWholeHoweverFarItsSurfaceTurnsInAll) {
 }
 
 TEST(ViewOverFrames, AClosedLineThatIsHiddenAtItsSeamFadesThereAsElsewhere) {
-    const auto placed = [](int k) {
-        return job_of({place(meshes::sphere(64), dmat4(1.0), 1), bar(0.02 * k, 0.3)}, front, 2);
-    };
     // The bar passes the seam, wherever it is, if it passes all of the line.
     for (double turn = 0.0; turn < 3.1; turn += 0.2) {
         const auto frame = middle_of(2, [&](int k) {
-            Job job = placed(k);
-            std::vector<Placement> all = job.scene->placements;
-            all[1].object_to_world = glm::rotate(dmat4(1.0), turn, dvec3(0, 1, 0)) * all[1].object_to_world;
-            return job_of(std::move(all), front, 2);
+            Placement passes = bar(0.02 * k, 0.3);
+            passes.object_to_world = glm::rotate(dmat4(1.0), turn, dvec3(0, 1, 0)) * passes.object_to_world;
+            return job_of({place(meshes::sphere(64), dmat4(1.0), 1), passes});
         });
         double largest = 0.0;
-        each_sample(*frame, [&](double x, double z, Index s) {
-            const double across_bar = x * std::cos(turn) - z * std::sin(turn);
+        each_sample(*frame, [&](const dvec2& at, Index s) {
+            const double across_bar = at.x * std::cos(turn) - at.y * std::sin(turn);
             largest = std::max(largest, std::abs(frame->seen[s] - trapezoid(across_bar, 0.3, 0.02, 2)));
         });
         EXPECT_LT(largest, 0.4) << turn;  // an end that moves across the seam comes on one side, and goes on the other
@@ -217,7 +166,7 @@ TEST(ViewOverFrames, HiddenLinesAreThinnedAsInTheFrameAlone) {
     const auto job = [](int k) {
         Placement stays = bar(0.65, 0.4);
         stays.id = 4;
-        Job made = job_of({cylinder(0.0), smaller_cylinder(), bar(0.15 * k - 0.5, 0.2), stays}, front, 2, true);
+        Job made = job_of({cylinder(0.0), smaller_cylinder(), bar(0.15 * k - 0.5, 0.2), stays}, 2, true);
         style::Hidden hidden;
         hidden.pen = made.style.line_sets[0].pen;
         made.style.line_sets[0].hidden.push_back(hidden);
@@ -229,10 +178,10 @@ TEST(ViewOverFrames, HiddenLinesAreThinnedAsInTheFrameAlone) {
     ASSERT_FALSE(frame->seen.empty());
     ASSERT_EQ(frame->shown.size(), alone.shown.size());
     double least = 1.0;
-    each_sample(*frame, [&](double x, double, Index s) {
-        if (std::abs(x - 0.65) > 0.15) return;
+    each_sample(*frame, [&](const dvec2& at, Index s) {
+        if (std::abs(at.x - 0.65) > 0.15) return;
         least = std::min(least, double(alone.shown[s]));
-        ASSERT_EQ(frame->shown[s], alone.shown[s]) << x;
+        ASSERT_EQ(frame->shown[s], alone.shown[s]) << at.x;
     });
     EXPECT_LT(least, 0.9) << "hidden lines are thinned";
 }
@@ -240,12 +189,12 @@ TEST(ViewOverFrames, HiddenLinesAreThinnedAsInTheFrameAlone) {
 TEST(ViewOverFrames, WhatElisionLeavesWhereALineIsHiddenIsThatOfTheFramesWhereItIsSeen) {
     // Close to one another, one of two contours fades.
     const auto placed = [](double x) { return std::vector<Placement>{cylinder(0.0), smaller_cylinder(), bar(x, 0.3)}; };
-    const auto frame = middle_of(2, [&](int k) { return job_of(placed(0.15 * k), front, 2, true); });
-    const auto bare = middle_of(2, [&](int) { return job_of(placed(10.0), front, 2, true); });
+    const auto frame = middle_of(2, [&](int k) { return job_of(placed(0.15 * k), 2, true); });
+    const auto bare = middle_of(2, [&](int) { return job_of(placed(10.0), 2, true); });
     ASSERT_EQ(frame->shown.size(), bare->shown.size());
     double least = 1.0, most = 0.0, apart = 0.0;
-    each_sample(*frame, [&](double x, double, Index s) {
-        if (std::abs(x) > 0.1) return;
+    each_sample(*frame, [&](const dvec2& at, Index s) {
+        if (std::abs(at.x) > 0.1) return;
         least = std::min(least, double(bare->shown[s]));
         most = std::max(most, double(bare->shown[s]));
         apart = std::max(apart, std::abs(double(frame->shown[s]) - bare->shown[s]));
@@ -260,9 +209,8 @@ namespace {
 /// Where visible lines end that retract, in hundredths of a unit; a bar is at bar_at(frame).
 template <typename BarAt>
 std::set<int> ends_of_retracting(const BarAt& bar_at) {
-    const auto frame = middle_of(2, [&](int k) {
-        return job_of({cylinder(0.0), bar(bar_at(k), 0.6)}, front, 2, false, style::Vanish::retract);
-    });
+    const auto frame = middle_of(
+        2, [&](int k) { return job_of({cylinder(0.0), bar(bar_at(k), 0.6)}, 2, false, style::Vanish::retract); });
     EXPECT_TRUE(frame->seen.empty());
     std::set<int> ends;
     for (Index r = 0; r < frame->drawn->size(); ++r) {
@@ -270,8 +218,8 @@ std::set<int> ends_of_retracting(const BarAt& bar_at) {
         for (const double end : {frame->drawn->start_px[r], frame->drawn->end_px[r]}) {
             const Index i = frame->clipped->segment_at(frame->drawn->piece[r], end);
             const double t = frame->clipped->share_at(i, end);
-            const dvec2 px = glm::mix(dvec2(frame->clipped->px[i]), dvec2(frame->clipped->px[i + 1]), t);
-            ends.insert(int(std::lround((px.x / width - 0.5) * across * 100)));
+            const vec2 px = glm::mix(dvec2(frame->clipped->px[i]), dvec2(frame->clipped->px[i + 1]), t);
+            ends.insert(int(std::lround(units_of(px).x * 100)));
         }
     }
     return ends;

@@ -33,10 +33,11 @@ Runs Frame::over_frames(Runs runs) {
     const bool retracts = animation.vanish == style::Vanish::retract;
     Runs found = seen_runs(*clipped, *paths, runs, ramps, retracts ? half_the_time : 0.0f);
     if (!retracts) seen = seen_at_samples(*clipped, *paths, ramps);
+    if (shown.empty() && samples.empty()) return found;
+    const Array<float> drawn_then = samples_from_runs(*clipped, found);
     if (!shown.empty()) {
         const LinePlaces places = line_places(*clipped, *paths, *job.scene, found, job.view.width, job.view.height);
-        const Array<float> drawn_now = samples_from_runs(*clipped, runs),
-                           drawn_then = samples_from_runs(*clipped, found);
+        const Array<float> drawn_now = samples_from_runs(*clipped, runs);
         show_as_near(shown, places, drawn_now, elided);
         const auto comes = parallel_map<std::uint8_t>(
             shown.size(), [&](std::size_t s) { return drawn_then[s] > 0.0f && drawn_now[s] == 0.0f; });
@@ -45,12 +46,11 @@ Runs Frame::over_frames(Runs runs) {
     }
     if (!samples.empty()) {
         // What partly visible samples say of ends is of the lines as they are now.
-        const Array<float> drawn_now = samples_from_runs(*clipped, found);
         at_ends_ = samples;
         for (Index q = 0; q < clipped->path.size(); ++q)
             if (!ramps[clipped->path[q]].empty())
                 for (Index s = clipped->first_sample(q); s < clipped->first_sample(q + 1); ++s)
-                    at_ends_[s] = drawn_now[s] > 0.0f ? 1.0f : 0.0f;
+                    at_ends_[s] = drawn_then[s] > 0.0f ? 1.0f : 0.0f;
     }
     return found;
 }

@@ -75,8 +75,8 @@ bool go_on(const ViewLines& lines, const ViewLines::Place& a, const ViewLines::P
     return lines.path[a.piece] == lines.path[b.piece] && over_ends <= least;
 }
 
-/// The nearest places that accept(place, other, from) lets count: numbers of places, and pixels from the other one along
-/// its line and across it.
+/// The nearest places that accept(place, other, from) lets count: numbers of places, and pixels from the other one
+/// along its line and across it.
 template <typename Accept>
 Array<FoundPlace> nearest_places(const ViewLines& now, const ViewLines& there, const Accept& accept) {
     const Carrier carrier(now, there);
