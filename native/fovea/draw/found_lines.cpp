@@ -33,7 +33,7 @@ std::size_t FoundLines::bytes() const {
            (lines.seen ? bytes_of(lines.seen->stretches.values) + bytes_of(lines.seen->parts) +
                              bytes_of(lines.seen->seen) + bytes_of(lines.seen->beside) + bytes_of(lines.seen->shown)
                        : 0) +
-           (of_view ? of_view->bytes() : 0) + (lines.marked ? bytes_of(lines.marked->own) : 0);
+           (of_view ? of_view->bytes() : 0) + (lines.marked ? lines.marked->bytes() : 0);
 }
 
 std::shared_ptr<const FoundLines> Frame::found_lines() {

@@ -16,46 +16,6 @@ constexpr double far_along = 24.0;    // reference pixels between places of a li
 constexpr double same_way = 0.7;      // cosine between the directions of a line found again
 constexpr double same_depth = 0.05;   // of the distance from the eye
 
-/// Where points of one frame's lines are in another frame.
-class Carrier {
-   public:
-    Carrier(const ViewLines& from, const ViewLines& to) : from_(from), to_(to) {
-        for (const ViewLines::Placed& placed : from.placed) {
-            const auto at = std::ranges::lower_bound(to.placed, placed.id, {}, &ViewLines::Placed::id);
-            number_.push_back(at != to.placed.end() && at->id == placed.id ? Index(at - to.placed.begin()) : none);
-        }
-    }
-
-    /// Number among those placed there; `none` if it is not.
-    Index number(const ViewLines::Place& place) const { return number_[place.placed]; }
-
-    /// View space.
-    dvec3 position(const ViewLines::Place& place) const {
-        const ViewLines::Placed &here = from_.placed[place.placed], &there = to_.placed[number(place)];
-        dvec3 at = place.position;
-        if (!here.positions.empty() && here.positions.size() == there.positions.size()) {
-            at = dvec3(0.0);
-            for (int k = 0; k < 3; ++k) at += place.shares[k] * dvec3(there.positions[place.vertices[k]]);
-        }
-        return dvec3(there.object_to_view * dvec4(at, 1.0));
-    }
-
-   private:
-    const ViewLines &from_, &to_;
-    std::vector<Index> number_;
-};
-
-/// A point of the surface in another frame; a depth that is not a number: it is not there.
-struct Moved {
-    dvec2 px;
-    double depth;
-};
-
-bool is_inside(const Moved& moved, const View& view) {
-    return moved.depth > 0.0 && moved.px.x >= 0.0 && moved.px.y >= 0.0 && moved.px.x <= view.width &&
-           moved.px.y <= view.height;
-}
-
 /// Whether a place is right beside another one, from which it is so many pixels along its line and across it.
 bool is_beside(const dvec2& from, const View& view) {
     return std::abs(from.x) <= along_beside * view.reference_scale &&
@@ -75,65 +35,84 @@ bool go_on(const ViewLines& lines, const ViewLines::Place& a, const ViewLines::P
     return lines.path[a.piece] == lines.path[b.piece] && over_ends <= least;
 }
 
+}  // namespace
+
+MovedPlaces::MovedPlaces(const ViewLines& now, const ViewLines& there) : now_(now), there_(there) {
+    for (const ViewLines::Placed& placed : now.placed) {
+        const auto at = std::ranges::lower_bound(there.placed, placed.id, {}, &ViewLines::Placed::id);
+        number_.push_back(at != there.placed.end() && at->id == placed.id ? Index(at - there.placed.begin()) : none);
+    }
+    points_ = parallel_map<Point>(now.places.size(), [&](std::size_t j) { return moved(now.places[j]); });
+}
+
+MovedPlaces::Point MovedPlaces::moved(const ViewLines::Place& place) const {
+    if (number_[place.placed] == none) return {dvec2(0.0), NAN};
+    const ViewLines::Placed &here = now_.placed[place.placed], &there = there_.placed[number_[place.placed]];
+    dvec3 at = place.position;
+    if (!here.positions.empty() && here.positions.size() == there.positions.size()) {
+        at = dvec3(0.0);
+        for (int k = 0; k < 3; ++k) at += place.shares[k] * dvec3(there.positions[place.vertices[k]]);
+    }
+    const dvec3 position(there.object_to_view * dvec4(at, 1.0));
+    const dvec4 clip = there_.view.view_to_clip * dvec4(position, 1.0);
+    const dvec2 px = to_pixels(there_.view, clip);
+    const bool seen = clip.w > 0.0 && std::abs(px.x) < 1e6 && std::abs(px.y) < 1e6;
+    return {px, seen ? -position.z : NAN};
+}
+
+bool MovedPlaces::is_inside(const Point& point) const {
+    return point.depth > 0.0 && point.px.x >= 0.0 && point.px.y >= 0.0 && point.px.x <= there_.view.width &&
+           point.px.y <= there_.view.height;
+}
+
 /// The nearest places that accept(place, other, from) lets count: numbers of places, and pixels from the other one
 /// along its line and across it.
 template <typename Accept>
-Array<FoundPlace> nearest_places(const ViewLines& now, const ViewLines& there, const Accept& accept) {
-    const Carrier carrier(now, there);
-    const double scale = there.view.reference_scale;
-    const Array<Moved> moved = parallel_map<Moved>(now.places.size(), [&](std::size_t j) {
-        if (carrier.number(now.places[j]) == none) return Moved{dvec2(0.0), NAN};
-        const dvec3 position = carrier.position(now.places[j]);
-        const dvec4 clip = there.view.view_to_clip * dvec4(position, 1.0);
-        const dvec2 px = to_pixels(there.view, clip);
-        const bool seen = clip.w > 0.0 && std::abs(px.x) < 1e6 && std::abs(px.y) < 1e6;
-        return Moved{px, seen ? -position.z : NAN};
-    });
-    Array<FoundPlace> found(now.places.size());
+Array<FoundPlace> MovedPlaces::nearest(const Accept& accept) const {
+    const double scale = there_.view.reference_scale;
+    Array<FoundPlace> found(now_.places.size());
     parallel_for(found.size(), 256, [&](std::size_t j) {
-        const ViewLines::Place& place = now.places[j];
+        const ViewLines::Place& place = now_.places[j];
+        const Point& point = points_[j];
         FoundPlace& best = found[j] = {};
-        if (std::isnan(moved[j].depth)) return;
-        const Index first = now.rows.begin(place.piece), last = now.rows.end(place.piece) - 1;
-        const Moved &before = moved[std::max<std::size_t>(j, first + 1) - 1],
-                    &after = moved[std::min<std::size_t>(j + 1, last)];
+        if (std::isnan(point.depth)) return;
+        const Index first = now_.rows.begin(place.piece), last = now_.rows.end(place.piece) - 1;
+        const Point &before = points_[std::max<std::size_t>(j, first + 1) - 1],
+                    &after = points_[std::min<std::size_t>(j + 1, last)];
         const dvec2 across = after.px - before.px;
         const double length = glm::length(across);
         const dvec2 way = std::isnan(before.depth + after.depth) || length == 0.0 ? place.way : across / length;
         double nearest = reach * scale;
-        there.grid->near(moved[j].px, [&](std::size_t k) {
-            const ViewLines::Place& other = there.places[k];
-            const double away = glm::distance(moved[j].px, other.px), along = glm::dot(way, other.way);
-            if (away >= nearest || std::abs(along) < same_way || other.placed != carrier.number(place) ||
-                std::abs(other.depth - moved[j].depth) > same_depth * std::abs(moved[j].depth))
+        there_.grid->near(point.px, [&](std::size_t k) {
+            const ViewLines::Place& other = there_.places[k];
+            const double away = glm::distance(point.px, other.px), along = glm::dot(way, other.way);
+            if (away >= nearest || std::abs(along) < same_way || other.placed != number_[place.placed] ||
+                std::abs(other.depth - point.depth) > same_depth * std::abs(point.depth))
                 return;
-            const dvec2 from(glm::dot(moved[j].px - other.px, other.way), cross(other.way, moved[j].px - other.px));
+            const dvec2 from(glm::dot(point.px - other.px, other.way), cross(other.way, point.px - other.px));
             if (!accept(j, k, from)) return;
             nearest = away;
             const double aside = from.y / (trusted * scale);
             best = {Index(k), from.x, std::exp(-aside * aside), along > 0.0};
         });
-        best.inside = is_inside(moved[j], there.view);
+        best.inside = is_inside(point);
     });
     return found;
 }
 
-}  // namespace
-
-Array<FoundPlace> found_places(const ViewLines& now, const ViewLines& there) {
-    return nearest_places(now, there, [&](std::size_t j, std::size_t k, const dvec2&) {
-        return (now.places[j].kinds & there.places[k].kinds) != 0;
+Array<FoundPlace> MovedPlaces::found() const {
+    return nearest([&](std::size_t j, std::size_t k, const dvec2&) {
+        return (now_.places[j].kinds & there_.places[k].kinds) != 0;
     });
 }
 
-Array<FoundPlace> places_beside(const ViewLines& now, const ViewLines& there, In<std::uint8_t> counts) {
-    return nearest_places(now, there, [&](std::size_t, std::size_t k, const dvec2& from) {
-        return counts[k] && is_beside(from, there.view);
-    });
+Array<FoundPlace> MovedPlaces::beside(In<std::uint8_t> counts) const {
+    return nearest(
+        [&](std::size_t, std::size_t k, const dvec2& from) { return counts[k] && is_beside(from, there_.view); });
 }
 
 Array<std::uint8_t> are_beside(const ViewLines& lines, In<std::uint8_t> counts) {
-    const auto found = nearest_places(lines, lines, [&](std::size_t j, std::size_t k, const dvec2& from) {
+    const auto found = MovedPlaces(lines, lines).nearest([&](std::size_t j, std::size_t k, const dvec2& from) {
         return counts[k] && is_beside(from, lines.view) && !go_on(lines, lines.places[j], lines.places[k]);
     });
     return parallel_map<std::uint8_t>(found.size(), [&](std::size_t j) { return found[j].place != none; });

@@ -2,6 +2,8 @@
 // Places of the lines of the view of one frame, found again on those of another one.
 #pragma once
 
+#include <vector>
+
 #include <fovea/elision/view_lines.h>
 
 namespace fovea::elision {
@@ -15,13 +17,33 @@ struct FoundPlace {
     bool inside = false;  ///< whether its object is there, and its point of the surface in that picture
 };
 
-/// Per place of `now`: the nearest one, within a few pixels of where its point of the surface is in the other frame, on
-/// a line of the same object and definition that runs beside it at about the same distance from the eye (what Kalnins
-/// et al. 2003, section 4, hand on marks along). Lines of another object, or of the image, have none.
-Array<FoundPlace> found_places(const ViewLines& now, const ViewLines& there);
+/// The points of the surface on which the lines of one frame lie, in another frame. What is looked for there, per
+/// place, is the nearest place, within a few pixels, of a line of the same object that runs beside it at about the same
+/// distance from the eye (what Kalnins et al. 2003, section 4, hand on marks along). Lines of the image have no places.
+class MovedPlaces {
+   public:
+    /// Borrows.
+    MovedPlaces(const ViewLines& now, const ViewLines& there);
 
-/// The same on lines of any definition, right beside a place there. `counts`: per place there, whether it does.
-Array<FoundPlace> places_beside(const ViewLines& now, const ViewLines& there, In<std::uint8_t> counts);
+    Array<FoundPlace> found() const;  ///< on lines of the same definition
+    /// On lines of any definition, right beside a place there. `counts`: per place there, whether it does.
+    Array<FoundPlace> beside(In<std::uint8_t> counts) const;
+
+   private:
+    friend Array<std::uint8_t> are_beside(const ViewLines& lines, In<std::uint8_t> counts);
+    struct Point {
+        dvec2 px;
+        double depth;  ///< not a number: it is not there
+    };
+    Point moved(const ViewLines::Place& place) const;
+    bool is_inside(const Point& point) const;
+    template <typename Accept>
+    Array<FoundPlace> nearest(const Accept& accept) const;
+
+    const ViewLines &now_, &there_;
+    std::vector<Index> number_;  // of objects here, among those there; none if one is not
+    Array<Point> points_;        // per place
+};
 
 /// Per place: whether one that counts is right beside it, on another line or far along the same one.
 Array<std::uint8_t> are_beside(const ViewLines& lines, In<std::uint8_t> counts);

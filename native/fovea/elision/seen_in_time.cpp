@@ -37,22 +37,34 @@ void add_mapped(In<Stretch> stretches, double from, double to, double here_from,
     if ((length > 0.0) != (here_to > here_from)) std::reverse(out.begin() + std::ptrdiff_t(first), out.end());
 }
 
-/// What is known of lines at one moment.
-class Moment {
+/// What another frame says of the lines of the mesh.
+class OfMesh {
    public:
-    /// Borrows. `found`: of the places of `now`.
-    Moment(const SeenLines& now, const SeenLines& there, const Array<FoundPlace>& found)
-        : now_(now), there_(there), found_(found), part_(matched_parts(now.parts, there.parts)) {}
+    /// Borrows.
+    OfMesh(const SeenLines& now, const SeenLines& there)
+        : now_(now), there_(there), part_(matched_parts(now.parts, there.parts)) {}
 
-    /// Appends what is known of a part of a path of the mesh.
-    void add_part(Index part, std::vector<Stretch>& out) const {
+    /// Appends what is known of a part of a path.
+    void add(Index part, std::vector<Stretch>& out) const {
         if (part_[part] == none) return;
         const LinePart &here = now_.parts[part], &other = there_.parts[part_[part]];
         add_mapped(there_.stretches[other.path], other.from, other.to, here.from, here.to, out);
     }
 
-    /// Appends what is known of a piece of a path of the view.
-    void add_piece(Index piece, std::vector<Stretch>& out) const {
+   private:
+    const SeenLines &now_, &there_;
+    Array<Index> part_;
+};
+
+/// What another frame says of the lines of the view.
+class OfView {
+   public:
+    /// Borrows. `found`: of the places of `now`.
+    OfView(const SeenLines& now, const SeenLines& there, In<FoundPlace> found)
+        : now_(now), there_(there), found_(found) {}
+
+    /// Appends what is known of a piece of a path.
+    void add(Index piece, std::vector<Stretch>& out) const {
         const ViewLines &lines = *now_.of_view, &there = *there_.of_view;
         for (Index j = lines.rows.begin(piece); j + 1 < lines.rows.end(piece); ++j) {
             const double from = lines.places[j].arc_space, to = lines.places[j + 1].arc_space;
@@ -70,7 +82,7 @@ class Moment {
         }
     }
 
-    /// Whether a place of the view is seen; none where that is not known.
+    /// Whether a place is seen; none where that is not known.
     std::optional<bool> is_seen(Index place) const {
         const FoundPlace& at = found_[place];
         if (at.place == none) return at.inside ? std::optional(false) : std::nullopt;
@@ -85,12 +97,9 @@ class Moment {
     double arc_there(const FoundPlace& at) const {
         const ViewLines& lines = *there_.of_view;
         const ViewLines::Place& place = lines.places[at.place];
-        const Index first = lines.rows.begin(place.piece), last = lines.rows.end(place.piece) - 1;
-        const ViewLines::Place &before = lines.places[std::max(at.place, first + 1) - 1],
-                               &after = lines.places[std::min(at.place + 1, last)];
-        const double slope = (after.arc_space - before.arc_space) / (after.arc - before.arc);
-        return std::clamp(place.arc_space + slope * at.beyond, lines.places[first].arc_space,
-                          lines.places[last].arc_space);
+        const auto arc_space = [&](Index j) { return lines.places[j].arc_space; };
+        const double arc = place.arc_space + slope_at(lines, at.place, arc_space) * at.beyond;
+        return std::clamp(arc, arc_space(lines.rows.begin(place.piece)), arc_space(lines.rows.end(place.piece) - 1));
     }
 
     void add(double from, double to, Index place, std::vector<Stretch>& out) const {
@@ -98,8 +107,7 @@ class Moment {
     }
 
     const SeenLines &now_, &there_;
-    const Array<FoundPlace>& found_;
-    Array<Index> part_;
+    In<FoundPlace> found_;
 };
 
 /// Where the places of the lines of the view are in the frame beside theirs. A line that is seen goes on in one that is
@@ -107,8 +115,9 @@ class Moment {
 /// is seen stays so: only what hides it would be drawn twice.
 Array<FoundPlace> found_beside(const SeenLines& now, const SeenLines& there) {
     const ViewLines& lines = *now.of_view;
-    Array<FoundPlace> found = found_places(lines, *there.of_view);
-    const Array<FoundPlace> seen = places_beside(lines, *there.of_view, there.seen);
+    const MovedPlaces moved(lines, *there.of_view);
+    Array<FoundPlace> found = moved.found();
+    const Array<FoundPlace> seen = moved.beside(there.seen);
     std::vector<std::ptrdiff_t> more(lines.placed.size());  // per object: places that are found than others
     for (std::size_t j = 0; j < found.size(); ++j) {
         if (now.seen[j] && seen[j].place != none)
@@ -128,14 +137,12 @@ Array<FoundPlace> found_along(In<FoundPlace> found, const ViewLines& lines, In<F
     return parallel_map<FoundPlace>(found.size(), [&](std::size_t j) {
         FoundPlace at = found[j];
         if (at.place == none) return FoundPlace{};
-        const Index piece = lines.places[at.place].piece, first = lines.rows.begin(piece),
-                    last = lines.rows.end(piece) - 1;
-        const double arc =
-            std::clamp(lines.places[at.place].arc + at.beyond, lines.places[first].arc, lines.places[last].arc);
-        const double steps = (arc - lines.places[first].arc) / (lines.places[last].arc - lines.places[first].arc);
-        const Index nearest = first + Index(std::lround(steps * (last - first)));
+        const Index piece = lines.places[at.place].piece, first = lines.rows.begin(piece);
+        const double arc = lines.places[at.place].arc + at.beyond;
+        const Index nearest = first + Index(std::lround(lines.number_at(piece, arc)));
         FoundPlace then = next[nearest];
-        const double beyond = arc - lines.places[nearest].arc;
+        const double inside = std::clamp(arc, lines.places[first].arc, lines.places[lines.rows.end(piece) - 1].arc);
+        const double beyond = inside - lines.places[nearest].arc;
         then.beyond += then.same ? beyond : -beyond;
         then.same = at.same == then.same;
         return then;
@@ -220,34 +227,35 @@ SeenInTime::SeenInTime(const Paths& paths, const SeenLines& now, In<SeenNear> ne
 }
 
 std::vector<std::vector<Ramp>> SeenInTime::ramps() const {
-    std::vector<std::optional<Moment>> known(there_.size());
+    std::vector<std::optional<OfMesh>> of_mesh(there_.size());
     parallel_for(there_.size(), 1, [&](std::size_t k) {
-        if (there_[k]) known[k].emplace(now_, *there_[k], found_[k]);
+        if (there_[k]) of_mesh[k].emplace(now_, *there_[k]);
     });
-    const ViewLines& of_view = *now_.of_view;
+    const ViewLines& lines = *now_.of_view;
     auto parts = lists_of<Index>(paths_.count(), [&](const auto& give) {
         for (Index i = 0; i < now_.parts.size(); ++i) give(now_.parts[i].path, i);
     });
     auto pieces = lists_of<Index>(paths_.count(), [&](const auto& give) {
-        for (Index q = 0; q < of_view.rows.count(); ++q)
-            if (of_view.rows.size(q) > 0) give(of_view.path[q], q);
+        for (Index q = 0; q < lines.rows.count(); ++q)
+            if (lines.rows.size(q) > 0) give(lines.path[q], q);
     });
     std::vector<std::vector<Ramp>> ramps(paths_.count());
     parallel_for(paths_.count(), 64, [&](std::size_t p) {
-        const auto of_mesh = parts[Index(p)], of_path = pieces[Index(p)];
-        if (of_mesh.empty() && of_path.empty()) return;
-        std::ranges::sort(of_mesh, {}, [&](Index i) { return std::min(now_.parts[i].from, now_.parts[i].to); });
-        std::ranges::sort(of_path, {}, [&](Index q) { return of_view.places[of_view.rows.begin(q)].arc_space; });
+        const auto own_parts = parts[Index(p)], own_pieces = pieces[Index(p)];
+        if (own_parts.empty() && own_pieces.empty()) return;
+        std::ranges::sort(own_parts, {}, [&](Index i) { return std::min(now_.parts[i].from, now_.parts[i].to); });
+        std::ranges::sort(own_pieces, {}, [&](Index q) { return lines.places[lines.rows.begin(q)].arc_space; });
         const double length = paths_.arc_obj[paths_.rows.end(Index(p)) - 1];
-        std::vector<SeenAlong> moments(known.size());
+        std::vector<SeenAlong> moments(there_.size());
         moments[frames_] = along(now_.stretches[Index(p)]);
         std::vector<Stretch> stretches;
         const auto look = [&](int moment, int towards) {
             moments[moment] = moments[towards];
-            if (!known[moment]) return;
+            if (!there_[moment]) return;
             stretches.clear();
-            for (const Index part : of_mesh) known[moment]->add_part(part, stretches);
-            for (const Index piece : of_path) known[moment]->add_piece(piece, stretches);
+            for (const Index part : own_parts) of_mesh[moment]->add(part, stretches);
+            const OfView of_view(now_, *there_[moment], found_[moment]);
+            for (const Index piece : own_pieces) of_view.add(piece, stretches);
             moments[moment] = along(stretches, moments[towards], length);
         };
         for (int k = 1; k <= frames_; ++k) {
@@ -266,10 +274,10 @@ Array<float> SeenInTime::shown_near() const {
     std::ranges::fill(seen, 0.0);
     for (std::size_t k = 0; k < there_.size(); ++k) {
         if (!there_[k] || there_[k]->shown.empty()) continue;
-        const Moment moment(now_, *there_[k], found_[k]);
+        const OfView of_view(now_, *there_[k], found_[k]);
         parallel_for(count, 1024, [&](std::size_t j) {
             const FoundPlace& at = found_[k][j];
-            if (at.place == none || !moment.is_seen(Index(j)).value_or(false)) return;
+            if (at.place == none || !of_view.is_seen(Index(j)).value_or(false)) return;
             sum[j] += there_[k]->shown[at.place];
             seen[j] += 1.0;
         });

@@ -140,9 +140,14 @@ class Finder {
 }  // namespace
 
 std::size_t ViewLines::bytes() const {
-    std::size_t sum = places.size() * (sizeof(Place) + 4 * sizeof(double)) + 9 * closed.size();
+    std::size_t sum = places.size() * sizeof(Place) + 9 * closed.size();
     for (const Placed& each : placed) sum += sizeof(Placed) + each.positions.size() * sizeof(vec3);
     return sum;
+}
+
+double ViewLines::number_at(Index piece, double arc) const {
+    const double first = places[rows.begin(piece)].arc, last = places[rows.end(piece) - 1].arc;
+    return std::clamp((arc - first) / (last - first), 0.0, 1.0) * (rows.size(piece) - 1);
 }
 
 ViewLines view_lines(const ClippedPaths& clipped, const Paths& paths, const Scene& scene, const View& view) {
@@ -166,15 +171,13 @@ void values_from_places(Array<float>& values, const ViewLines& lines, const Clip
                         In<std::uint8_t> where, In<float> at_places) {
     parallel_for(lines.rows.count(), 64, [&](std::size_t q) {
         if (lines.rows.size(Index(q)) == 0) return;
-        const Index begin = lines.rows.begin(Index(q)), last = lines.rows.end(Index(q)) - 1;
+        const In<float> of_piece = at_places.subspan(lines.rows.begin(Index(q)), lines.rows.size(Index(q)));
         const PieceSamples samples(clipped, Index(q));
-        Index after = begin + 1;
         for (std::ptrdiff_t s = 0; s < samples.count(); ++s) {
             if (!where[samples.in_atlas(s)]) continue;
-            while (after < last && lines.places[after].arc < samples.arc(s)) ++after;
-            const double from = lines.places[after - 1].arc, to = lines.places[after].arc;
-            const double share = std::clamp((samples.arc(s) - from) / (to - from), 0.0, 1.0);
-            values[samples.in_atlas(s)] = glm::mix(at_places[after - 1], at_places[after], float(share));
+            const double number = lines.number_at(Index(q), samples.arc(s));
+            const std::size_t before = std::min(std::size_t(number), of_piece.size() - 2);
+            values[samples.in_atlas(s)] = glm::mix(of_piece[before], of_piece[before + 1], float(number - before));
         }
     });
 }

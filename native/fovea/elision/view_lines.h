@@ -2,6 +2,7 @@
 // The lines of one frame that depend on its view, and on what of the scene they lie: for frames near it.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <vector>
@@ -44,7 +45,18 @@ struct ViewLines {
     std::unique_ptr<PointGrid> grid;  ///< of the places
 
     std::size_t bytes() const;  ///< about
+    /// Which place of a piece is at an arc length, from 0, between places by shares; beyond its ends these.
+    double number_at(Index piece, double arc) const;
 };
+
+/// How much value(place) changes per pixel of arc length at a place, over its neighbors.
+template <typename Value>
+double slope_at(const ViewLines& lines, Index place, const Value& value) {
+    const Index piece = lines.places[place].piece;
+    const Index before = std::max(place, lines.rows.begin(piece) + 1) - 1;
+    const Index after = std::min(place + 1, lines.rows.end(piece) - 1);
+    return (value(after) - value(before)) / (lines.places[after].arc - lines.places[before].arc);
+}
 
 /// Lines that are found in the image, and those that make a tone, have no places.
 ViewLines view_lines(const ClippedPaths& clipped, const Paths& paths, const Scene& scene, const View& view);

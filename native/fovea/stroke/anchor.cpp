@@ -75,12 +75,10 @@ void PathAnchor::place_at_rest(CenterPoint& point) const {
 
 /// A value of the places of marks at an arc length; beyond the ends of its piece as at these.
 double PathAnchor::mark_at(In<double> values, double arc) const {
-    const Rows& rows = marks_->of->lines->rows;
-    const Index begin = rows.begin(piece_), steps = rows.size(piece_) - 1;
-    const double first = clipped_.first_arc(piece_), last = clipped_.last_arc(piece_);
-    const double place = std::clamp((arc - first) / (last - first), 0.0, 1.0) * steps;
-    const Index k = std::min(Index(place), steps - 1);
-    return glm::mix(values[begin + k], values[begin + k + 1], place - k);
+    const ViewLines& lines = *marks_->of->lines;
+    const double number = lines.number_at(piece_, arc);
+    const Index before = std::min(Index(number), lines.rows.size(piece_) - 2), at = lines.rows.begin(piece_) + before;
+    return glm::mix(values[at], values[at + 1], number - before);
 }
 
 void PathAnchor::place_at_marks(CenterPoint& point) const {

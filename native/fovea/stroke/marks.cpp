@@ -18,12 +18,8 @@ constexpr double stiff = 0.02;       // how little a place gives in to its neigh
 
 double wrapped(double difference, double period) { return difference - period * std::round(difference / period); }
 
-/// How values change per pixel of arc length at a place, over its neighbors.
-double slope_at(const ViewLines& lines, In<double> values, Index place) {
-    const Index piece = lines.places[place].piece;
-    const Index before = std::max(place, lines.rows.begin(piece) + 1) - 1;
-    const Index after = std::min(place + 1, lines.rows.end(piece) - 1);
-    return (values[after] - values[before]) / (lines.places[after].arc - lines.places[before].arc);
+double slope_of(In<double> values, const ViewLines& lines, Index place) {
+    return slope_at(lines, place, [&](Index j) { return values[j]; });
 }
 
 /// Differences along a line that are known up to whole periods, as one that goes on from place to place: by that many
@@ -63,7 +59,7 @@ void fill(std::span<double> wanted, In<double> trust) {
 
 Array<double> handed_on(const MarkedLines& now, const MarkedLines& there, In<double> values) {
     check(values.size() == there.own.size(), "marks: one per place of the other lines expected");
-    const Array<FoundPlace> found = found_places(*now.lines, *there.lines);
+    const Array<FoundPlace> found = MovedPlaces(*now.lines, *there.lines).found();
     Array<double> made(now.own.begin(), now.own.end());
     parallel_for(now.period.size(), 64, [&](std::size_t q) {
         const Index begin = now.lines->rows.begin(Index(q)), size = now.lines->rows.size(Index(q));
@@ -78,7 +74,7 @@ Array<double> handed_on(const MarkedLines& now, const MarkedLines& there, In<dou
             const FoundPlace& at = found[begin + k];
             const double period = at.place == none ? 0.0 : there.period[there.lines->places[at.place].piece];
             const bool counts = period > 0.0 && at.trust >= least_trust;
-            const double slope = counts ? slope_at(*there.lines, values, at.place) : 0.0;
+            const double slope = counts ? slope_of(values, *there.lines, at.place) : 0.0;
             const double ascent = at.same ? slope : -slope;
             along[k] = (k > 0 ? along[k - 1] : now.own[begin]) + (counts ? std::copysign(step, ascent) : step);
             out[k] = counts ? (values[at.place] + slope * at.beyond) * (now.period[q] / period) - along[k] : 0.0;
@@ -104,7 +100,7 @@ Array<double> on_the_way(const MarkedLines& of, In<double> last, In<double> next
     return parallel_map<double>(last.size(), [&](std::size_t j) {
         const double period = of.period[of.lines->places[j].piece];
         if (period == 0.0) return 0.0;
-        if (slope_at(*of.lines, last, Index(j)) * slope_at(*of.lines, next, Index(j)) < 0.0)
+        if (slope_of(last, *of.lines, Index(j)) * slope_of(next, *of.lines, Index(j)) < 0.0)
             return share < 0.5 ? last[j] : next[j];
         return last[j] + share * wrapped(next[j] - last[j], period);
     });
