@@ -53,18 +53,30 @@ package_names() {
     sed 's/#.*//' "$here/packages.txt" | tr -s ' \n' '\n' | sed '/^$/d'
 }
 
+# Both suites may be set up at once: one of them installs, the other waits.
 find_host_tools() {
+    exec 8>"$cache/host-lock"
+    flock 8
     missing=
     command -v debootstrap >/dev/null || missing="$missing debootstrap"
     command -v bwrap >/dev/null || missing="$missing bubblewrap"
     [ -n "$(keyring)" ] || missing="$missing debian-archive-keyring"
-    [ -z "$missing" ] || step "$cache/log/host-tools.log" "this machine: installing$missing" install_on_host $missing
+    host_status=0
+    [ -z "$missing" ] ||
+        step "$cache/log/host-tools.log" "this machine: installing$missing" install_on_host $missing 8>&- ||
+        host_status=$?
+    exec 8>&-
+    return "$host_status"
 }
 
+# New machines have no package lists yet.
 install_on_host() {
-    DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends "$@" && return
-    # New machines have no package lists yet.
-    apt-get update && DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends "$@"
+    install_now "$@" || { apt-get update && install_now "$@"; }
+}
+
+# Waits while another program of this machine, such as its own updates, installs.
+install_now() {
+    DEBIAN_FRONTEND=noninteractive apt-get -o DPkg::Lock::Timeout=600 install -y --no-install-recommends "$@"
 }
 
 keyring() {

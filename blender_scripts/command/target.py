@@ -55,6 +55,7 @@ class Target:
         # Paths relative to `work` let ccache share objects between clones.
         ccache = {"CCACHE_DIR": str(self.cache / "ccache"), "CCACHE_BASEDIR": str(self.work), "CCACHE_NOHASHDIR": "1"}
         ccache["CCACHE_SLOPPINESS"] = "pch_defines,time_macros"  # needed to cache files with precompiled headers
+        ccache["CCACHE_DEPEND"] = "1"  # headers are those that the compiler names: else each file is read twice
         return kept | ccache | {"HOME": str(self.home), "PYTHONDONTWRITEBYTECODE": "1"}
 
     def run(self, sentence, command, **environment):

@@ -47,6 +47,9 @@ dmat4 scaled(dvec3 by);
 /// A scene that a plane (with a unit normal) cuts open.
 Scene cut_open(std::vector<Placement> placements, const std::optional<dvec4>& section);
 
+/// From the right, in front and above.
+inline const View corner_view = perspective({4, -5, 3}, {0, 0, 0});
+
 /// One picture, from placements to runs.
 struct Drawing {
     Scene scene;

@@ -10,7 +10,7 @@ namespace {
 
 using namespace stroke_fixture;
 
-constexpr double length = 200.0;
+constexpr double line_length = 200.0;
 
 Pen wide() { return pen(8.0f, Cap::butt); }
 
@@ -19,7 +19,7 @@ style::Transfer whole(std::vector<dvec2> curve = {}) { return {0.0, 1.0, 1.0, st
 /// A line of 200 px at an angle.
 std::vector<vec2> line_at(double degrees) {
     const double a = glm::radians(degrees);
-    const vec2 half = vec2(0.5 * length * dvec2(std::cos(a), std::sin(a)));
+    const vec2 half = vec2(0.5 * line_length * dvec2(std::cos(a), std::sin(a)));
     return {vec2(150) - half, vec2(150) + half};
 }
 
@@ -106,7 +106,7 @@ TEST(Nib, ChangesWithinItsOwnWidthOfACorner) {
     pen.look.nib_opacity = 0.5;
     int seen = 0;
     for (const auto& [place, width, opacity, tint] : Along(strokes_of({{20, 20}, {120, 20}, {120, 120}}, pen)).points) {
-        if (std::abs(place - 0.5) * length <= 6.0) continue;
+        if (std::abs(place - 0.5) * line_length <= 6.0) continue;
         EXPECT_NEAR(opacity, place < 0.5 ? 0.5f : 1.0f, 0.01f) << place;
         ++seen;
     }
@@ -230,7 +230,7 @@ TEST(Along, TheSecondColorIsDrawn) {
     const Array<vec4> image = picture(strokes_of(line_at(0), red), red, 300, 300);
     const auto at = [&](int x) { return image[150 * 300 + x]; };
     for (const int x : {60, 150, 240}) {
-        const float share = float((x + 0.5 - 50.0) / length);
+        const float share = float((x + 0.5 - 50.0) / line_length);
         EXPECT_NEAR(at(x).r, 1.0f - share, 0.01f);
         EXPECT_NEAR(at(x).b, share, 0.01f);
         EXPECT_NEAR(at(x).a, 1.0f, 0.01f);

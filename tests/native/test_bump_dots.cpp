@@ -11,7 +11,7 @@ using namespace fovea::line_filters;
 namespace {
 
 /// A large triangle and one beside it that is not connected to it, seen from above, with lines on either.
-struct Drawing {
+struct DotDrawing {
     meshes::Mesh mesh = meshes::of_polygons("parts",
                                             {vec3(at(100, 100)), vec3(at(500, 100)), vec3(at(100, 400)),
                                              vec3(at(600, 100)), vec3(at(602, 100)), vec3(at(600, 102))},
@@ -56,7 +56,7 @@ struct Drawing {
 }  // namespace
 
 TEST(BumpDots, ALoopOfAPixelOnALargerFigureIsRemoved) {
-    Drawing drawing;
+    DotDrawing drawing;
     drawing.line(0, {at(110, 110), at(300, 110)}, false, 1);
     drawing.loop(0, {200, 150}, 1.5);
     EXPECT_EQ(drawing.left(), (std::vector<Index>{0}));
@@ -65,29 +65,29 @@ TEST(BumpDots, ALoopOfAPixelOnALargerFigureIsRemoved) {
 }
 
 TEST(BumpDots, StayWhereTheyAreAllThatIsSeenOfAConnectedPart) {
-    Drawing drawing;
+    DotDrawing drawing;
     drawing.line(0, {at(110, 110), at(300, 110)}, false, 1);
     drawing.loop(1, {600, 100}, 0.7);
     EXPECT_EQ(drawing.left(), (std::vector<Index>{0, 1})) << "a part of its own";
-    Drawing alone;
+    DotDrawing alone;
     alone.loop(0, {200, 150}, 1.5);
     EXPECT_EQ(alone.left(), (std::vector<Index>{0}));
 }
 
 TEST(BumpDots, AreClosedContoursThatAreSeenAsAWhole) {
     const auto with_line = [] {
-        Drawing drawing;
+        DotDrawing drawing;
         drawing.line(0, {at(110, 110), at(300, 110)}, false, 1);
         return drawing;
     };
-    Drawing marks = with_line();
+    DotDrawing marks = with_line();
     marks.loop(0, {200, 150}, 1.5, 0);
     EXPECT_EQ(marks.left().size(), 2u) << "a line of the surface";
-    Drawing hidden = with_line();
+    DotDrawing hidden = with_line();
     hidden.loop(0, {200, 150}, 1.5);
     EXPECT_EQ(hidden.left().size(), 1u);
     EXPECT_EQ(hidden.left(1.0).size(), 2u) << "something hides a part of it";
-    Drawing open = with_line();
+    DotDrawing open = with_line();
     open.line(0, {at(200, 150), at(202.5, 150)}, false, 1);
     EXPECT_EQ(open.left().size(), 2u) << "open";
 }

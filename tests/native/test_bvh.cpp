@@ -12,7 +12,7 @@ using namespace fovea::drawing;
 
 namespace {
 
-const View view = perspective({0, -6, 1}, {0, 0, 0}, 36);
+const View level_view = perspective({0, -6, 1}, {0, 0, 0}, 36);
 
 /// A sphere of quads, bent and pulled by step k.
 Mesh bent(int k) {
@@ -29,8 +29,8 @@ Mesh bent(int k) {
 void expect_same(const std::shared_ptr<Surface>& moved_surface, const Mesh& now, const char* what) {
     const Placement behind = place(grid(12), moved({0, 2, 0}) * dmat4(glm::rotate(dmat4(1.0), 1.5, dvec3(1, 0, 0))), 2);
     const LineSet all = line_set_with("crease", {0, 1});
-    const Drawing old({{moved_surface, dmat4(1.0), 1}, behind}, view, {all});
-    const Drawing fresh({place(now), behind}, view, {all});
+    const Drawing old({{moved_surface, dmat4(1.0), 1}, behind}, level_view, {all});
+    const Drawing fresh({place(now), behind}, level_view, {all});
     ASSERT_EQ(old.clipped.samples, fresh.clipped.samples) << what;
     ASSERT_EQ(old.runs.size(), fresh.runs.size()) << what;
     ASSERT_GT(old.runs.size(), 50u) << what;
@@ -79,7 +79,7 @@ TEST(Bvh, FollowsVerticesThatAreThrownAbout) {
         surface->set_positions(mesh.positions, true);
         const auto fresh = mesh.surface();
         const Scene old_scene({{surface, dmat4(1.0), 1}}), new_scene({{fresh, dmat4(1.0), 1}});
-        const Tracer old_tracer(old_scene, view), new_tracer(new_scene, view);
+        const Tracer old_tracer(old_scene, level_view), new_tracer(new_scene, level_view);
         int hits = 0;
         for (int y = 3; y < 480; y += 7)
             for (int x = 3; x < 640; x += 7) {
@@ -100,7 +100,7 @@ TEST(Bvh, FollowsAQuadThatBendsAndLosesATriangle) {
     const auto hit_at = [&](const Mesh& now) {
         const Placement placed{surface, moved({-0.5, 0, -0.5}) * glm::rotate(dmat4(1.0), 1.57, dvec3(1, 0, 0)), 1};
         const Scene old_scene({placed}), new_scene({{now.surface(), placed.object_to_world, 1}});
-        const Tracer old_tracer(old_scene, view), new_tracer(new_scene, view);
+        const Tracer old_tracer(old_scene, level_view), new_tracer(new_scene, level_view);
         int differ = 0, hits = 0;
         for (int y = 0; y < 480; y += 3)
             for (int x = 0; x < 640; x += 3) {
@@ -130,7 +130,7 @@ TEST(Bvh, OfASurfaceMovedWithoutRefitTellsWhatThatOfANewOneDoesToTheLastBit) {
     for (int k = 1; k <= 4; ++k) {
         surface->set_positions(bent(k).positions);
         const Scene old_scene({{surface, dmat4(1.0), 1}}), new_scene({{bent(k).surface(), dmat4(1.0), 1}});
-        EXPECT_GT(same_hits(old_scene, new_scene, view), 3000) << k;
+        EXPECT_GT(same_hits(old_scene, new_scene, level_view), 3000) << k;
     }
 }
 
@@ -140,7 +140,7 @@ TEST(Bvh, OfASurfaceMovedWithRefitDoesSo) {
         surface->set_positions(bent(k).positions, true);
         const dmat4 turned = glm::rotate(dmat4(1.0), 0.3, dvec3(1, 2, 3));
         const Scene old_scene({{surface, turned, 1}}), new_scene({{bent(k).surface(), turned, 1}});
-        EXPECT_GT(same_hits(old_scene, new_scene, view), 3000) << k;
+        EXPECT_GT(same_hits(old_scene, new_scene, level_view), 3000) << k;
     }
 }
 

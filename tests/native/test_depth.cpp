@@ -16,7 +16,7 @@ using namespace fovea::draw;
 
 namespace {
 
-View perspective(int width, int height) {
+View near_view(int width, int height) {
     View view;
     view.width = width;
     view.height = height;
@@ -26,15 +26,15 @@ View perspective(int width, int height) {
     return view;
 }
 
-View orthographic(int width, int height) {
-    View view = perspective(width, height);
+View parallel_view(int width, int height) {
+    View view = near_view(width, height);
     view.orthographic = true;
     view.view_to_clip = glm::ortho(-1.0, 1.0, -1.0, 1.0, view.near_clip, view.far_clip);
     return view;
 }
 
 /// Triangles that own their arrays, one facet each.
-struct Mesh {
+struct TriangleSoup {
     std::vector<vec3> positions;
     std::vector<glm::uvec3> triangles;
     std::vector<Index> facets;
@@ -70,7 +70,7 @@ double plane_depth(const View& view, dvec3 n, double d, dvec2 px) {
 void expect_plane(const View& view, int scale) {
     // z = -5 + .2 x + .1 y, a quad that fills the frame.
     const auto point = [](float x, float y) { return vec3(x, y, -5.0f + 0.2f * x + 0.1f * y); };
-    Mesh mesh;
+    TriangleSoup mesh;
     mesh.add(point(-8, -8), point(8, -8), point(8, 8), point(-8, 8));
     const DepthBuffer buffer = depth_of(view, {mesh}, scale);
     ASSERT_EQ(buffer.width, view.width * scale);
@@ -87,10 +87,10 @@ void expect_plane(const View& view, int scale) {
         }
 }
 
-Mesh random_triangles(int count, unsigned seed) {
+TriangleSoup random_triangles(int count, unsigned seed) {
     std::mt19937 random(seed);
     std::uniform_real_distribution<float> unit(-1.0f, 1.0f);
-    Mesh mesh;
+    TriangleSoup mesh;
     for (int i = 0; i < count; ++i) {
         const vec3 center{4 * unit(random), 3 * unit(random), -4.0f + 4 * unit(random)};
         const auto corner = [&] { return center + vec3{unit(random), unit(random), unit(random)}; };
@@ -108,17 +108,17 @@ bool same(const DepthBuffer& a, const DepthBuffer& b) {
 }  // namespace
 
 TEST(Depth, PlaneInPerspective) {
-    expect_plane(perspective(40, 30), 1);
-    expect_plane(perspective(40, 30), 2);
+    expect_plane(near_view(40, 30), 1);
+    expect_plane(near_view(40, 30), 2);
 }
 
 TEST(Depth, PlaneInOrthographicView) {
-    expect_plane(orthographic(40, 30), 1);
-    expect_plane(orthographic(40, 30), 2);
+    expect_plane(parallel_view(40, 30), 1);
+    expect_plane(parallel_view(40, 30), 2);
 }
 
 TEST(Depth, EmptySceneIsBackground) {
-    const DepthBuffer buffer = depth_of(perspective(8, 8), {});
+    const DepthBuffer buffer = depth_of(near_view(8, 8), {});
     for (const auto& texel : buffer.texels) {
         EXPECT_EQ(texel.facet, none);
         EXPECT_EQ(texel.depth, 0.0f);
@@ -126,38 +126,38 @@ TEST(Depth, EmptySceneIsBackground) {
 }
 
 TEST(Depth, BothSidesAreDrawnAndNeighborsLeaveNoGap) {
-    Mesh mesh;
+    TriangleSoup mesh;
     mesh.add(vec3(-9, -9, -5), vec3(9, -9, -5), vec3(9, 9, -5));
     mesh.add(vec3(-9, -9, -5), vec3(-9, 9, -5), vec3(9, 9, -5));  // wound the other way
-    for (const auto& texel : depth_of(perspective(64, 64), {mesh}).texels) EXPECT_NE(texel.facet, none);
+    for (const auto& texel : depth_of(near_view(64, 64), {mesh}).texels) EXPECT_NE(texel.facet, none);
 }
 
 TEST(Depth, NearestWinsInAnyOrder) {
-    Mesh near, far;
+    TriangleSoup near, far;
     near.add(vec3(-9, -9, -3), vec3(9, -9, -3), vec3(0, 9, -3));
     far.add(vec3(-20, -20, -6), vec3(20, -20, -6), vec3(0, 20, -6));
     far.facet_base = 7;
-    const View view = perspective(32, 32);
+    const View view = near_view(32, 32);
     EXPECT_EQ(depth_of(view, {near, far}).at(16, 16).facet, 0u);
     EXPECT_TRUE(same(depth_of(view, {near, far}), depth_of(view, {far, near})));
 }
 
 TEST(Depth, EqualDepthGoesToTheLowerFacet) {
-    Mesh first;
+    TriangleSoup first;
     first.add(vec3(-9, -9, -3), vec3(9, -9, -3), vec3(0, 9, -3));
-    Mesh second = first;
+    TriangleSoup second = first;
     first.facet_base = 5;
     second.facet_base = 3;
-    const View view = perspective(32, 32);
+    const View view = near_view(32, 32);
     EXPECT_EQ(depth_of(view, {first, second}).at(16, 16).facet, 3u);
     EXPECT_TRUE(same(depth_of(view, {first, second}), depth_of(view, {second, first})));
 }
 
 TEST(Depth, CutAtTheNearPlane) {
     // The floor y = -1 from far ahead to behind the eye: below the horizon it is seen from z = -near on.
-    Mesh floor;
+    TriangleSoup floor;
     floor.add(vec3(-50, -1, 50), vec3(50, -1, 50), vec3(50, -1, -50), vec3(-50, -1, -50));
-    const View view = perspective(40, 400);
+    const View view = near_view(40, 400);
     const DepthBuffer buffer = depth_of(view, {floor});
     for (int y = 0; y < view.height; ++y) {
         const double depth = plane_depth(view, dvec3(0, 1, 0), -1.0, dvec2(20.5, y + 0.5));
@@ -168,46 +168,46 @@ TEST(Depth, CutAtTheNearPlane) {
         }
     }
     // A steep pane through the near plane: depth reaches, and never exceeds, 1.
-    Mesh pane;
+    TriangleSoup pane;
     pane.add(vec3(-2, -1, 0.5f), vec3(2, -1, 0.5f), vec3(2, 1, -1.5f), vec3(-2, 1, -1.5f));
     float nearest = 0.0f;
-    for (const auto& texel : depth_of(perspective(64, 64), {pane}).texels) nearest = std::max(nearest, texel.depth);
+    for (const auto& texel : depth_of(near_view(64, 64), {pane}).texels) nearest = std::max(nearest, texel.depth);
     EXPECT_LE(nearest, 1.0f);
     EXPECT_GT(nearest, 0.9f);
 }
 
 TEST(Depth, NothingIsTooFar) {
-    Mesh far;
+    TriangleSoup far;
     far.add(vec3(-1e5f, -1e5f, -1e4f), vec3(1e5f, -1e5f, -1e4f), vec3(0, 1e5f, -1e4f));
-    EXPECT_NEAR(depth_of(perspective(8, 8), {far}).at(4, 4).depth, 0.5e-4, 1e-9);
-    EXPECT_LT(depth_of(orthographic(8, 8), {far}).at(4, 4).depth, 0.0f);
+    EXPECT_NEAR(depth_of(near_view(8, 8), {far}).at(4, 4).depth, 0.5e-4, 1e-9);
+    EXPECT_LT(depth_of(parallel_view(8, 8), {far}).at(4, 4).depth, 0.0f);
 }
 
 TEST(Depth, BrokenTrianglesLeaveNoTrace) {
     const float nan = std::numeric_limits<float>::quiet_NaN(), inf = std::numeric_limits<float>::infinity();
-    Mesh mesh;
+    TriangleSoup mesh;
     mesh.add(vec3(nan, 0, -3), vec3(1, 0, -3), vec3(0, 1, -3));
     mesh.add(vec3(inf, 0, -3), vec3(1, 0, -3), vec3(0, 1, -3));
     mesh.add(vec3(0, 0, -inf), vec3(1, 0, -3), vec3(0, 1, -3));
     mesh.add(vec3(0, 0, -3), vec3(0, 0, -3), vec3(0, 1, -3));
     mesh.add(vec3(-1, 0, -3), vec3(0, 0, -3), vec3(1, 0, -3));
     mesh.add(vec3(0, 0, 0), vec3(0, 0, 0), vec3(0, 0, 0));
-    for (const auto& texel : depth_of(perspective(16, 16), {mesh}).texels) EXPECT_EQ(texel.facet, none);
+    for (const auto& texel : depth_of(near_view(16, 16), {mesh}).texels) EXPECT_EQ(texel.facet, none);
 }
 
 TEST(Depth, BadInputIsRefused) {
-    Mesh mesh;
+    TriangleSoup mesh;
     mesh.add(vec3(0), vec3(1), vec3(2));
-    EXPECT_THROW(depth_of(perspective(8, 8), {mesh}, 0), std::invalid_argument);
-    EXPECT_THROW(depth_of(perspective(0, 8), {mesh}), std::invalid_argument);
-    EXPECT_THROW(depth_layout(perspective(8, 8), {.margin = -1.0}), std::invalid_argument);
+    EXPECT_THROW(depth_of(near_view(8, 8), {mesh}, 0), std::invalid_argument);
+    EXPECT_THROW(depth_of(near_view(0, 8), {mesh}), std::invalid_argument);
+    EXPECT_THROW(depth_layout(near_view(8, 8), {.margin = -1.0}), std::invalid_argument);
     mesh.triangles[0].y = 9;
-    EXPECT_THROW(depth_of(perspective(8, 8), {mesh}), std::invalid_argument);
+    EXPECT_THROW(depth_of(near_view(8, 8), {mesh}), std::invalid_argument);
 }
 
 TEST(Depth, TheBorderShowsWhatLiesAroundTheFrame) {
-    const Mesh mesh = random_triangles(200, 7);
-    const View view = perspective(60, 41);
+    const TriangleSoup mesh = random_triangles(200, 7);
+    const View view = near_view(60, 41);
     const DepthBuffer frame = depth_of(view, {mesh}, 2);
     const RasterMesh meshes[] = {mesh};
     const DepthBuffer wide = draw_depth(depth_layout(view, {.scale = 2, .margin = 0.3}), view, meshes);
@@ -232,7 +232,7 @@ TEST(Depth, SolidBodiesLookTheSameWithoutTheirFarSides) {
                        {box, glm::rotate(mirrored, 0.5, dvec3(1, 1, 0)), 2},
                        {sheet, glm::rotate(far, 0.9, dvec3(1, 2, 0)), 3},
                        {ball, near, 4}});
-    const View view = perspective(90, 70);
+    const View view = near_view(90, 70);
     std::vector<RasterMesh> meshes = depth_meshes(scene, view, 0.0);
     ASSERT_EQ(meshes.size(), 4u);
     const auto is_one_sided = [&](int mesh) { return meshes[mesh].one_sided_from == 0; };
@@ -243,18 +243,18 @@ TEST(Depth, SolidBodiesLookTheSameWithoutTheirFarSides) {
 }
 
 TEST(Depth, SameWithOneAndManyThreads) {
-    const Mesh mesh = random_triangles(20000, 3);
-    const View view = perspective(200, 150);
+    const TriangleSoup mesh = random_triangles(20000, 3);
+    const View view = near_view(200, 150);
     const DepthBuffer many = depth_of(view, {mesh}, 2);
     tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
     EXPECT_TRUE(same(many, depth_of(view, {mesh}, 2)));
 }
 
 TEST(Depth, TrianglesOfFewTexelsCoverWhatTheirRowsDo) {
-    const View view = perspective(160, 120);
+    const View view = near_view(160, 120);
     std::mt19937 random(7);
     std::uniform_real_distribution<float> place(-4.0f, 4.0f), side(-0.12f, 0.12f);
-    Mesh mesh;
+    TriangleSoup mesh;
     for (int i = 0; i < 3000; ++i) {
         const vec3 at(place(random), place(random), place(random) - 6.0f);
         const auto corner = [&] { return at + vec3(side(random), side(random), side(random)); };
@@ -289,8 +289,8 @@ TEST(Depth, TrianglesOfFewTexelsCoverWhatTheirRowsDo) {
 }
 
 TEST(Depth, AgreesWithRaysOnRandomTriangles) {
-    const Mesh mesh = random_triangles(60, 5);
-    const View view = perspective(60, 50);
+    const TriangleSoup mesh = random_triangles(60, 5);
+    const View view = near_view(60, 50);
     const DepthBuffer buffer = depth_of(view, {mesh});
     for (int y = 0; y < view.height; ++y)
         for (int x = 0; x < view.width; ++x) {

@@ -16,8 +16,6 @@ using namespace fovea::draw;
 
 namespace {
 
-constexpr float infinity = std::numeric_limits<float>::infinity();
-
 const View& view() {
     static const View seen = drawing::perspective({3, -4, 2.5}, {0, 0, 0});
     return seen;

@@ -43,7 +43,7 @@ struct Drawn {
     }
 };
 
-Pen pen(float width, float opacity) {
+Pen pen_of(float width, float opacity) {
     Pen made;
     made.width_px = width;
     made.look.opacity = opacity;
@@ -61,7 +61,7 @@ TEST(Emphasis, LeadsWidthAndOpacityFromOnePenToTheOther) {
     const std::vector<float> f = rising();
     Emphasis emphasis;
     emphasis.focus = f;
-    const Drawn drawn(pen(2, 1.0f), pen(6, 0.5f), emphasis);
+    const Drawn drawn(pen_of(2, 1.0f), pen_of(6, 0.5f), emphasis);
     int seen = 0;
     drawn.each([&](float t, Index i) {
         EXPECT_NEAR(drawn.strokes.half_width[i], 1.0f + 2.0f * t * t, 0.06f);
@@ -79,7 +79,7 @@ TEST(Emphasis, TransfersDecideHowFar) {
     emphasis.width = Transfer(0, 1, 0.5f, {});
     emphasis.opacity = Transfer(0, 1, 0.0f, {});
     emphasis.color = Transfer(0, 1, 0.25f, {});
-    const Drawn drawn(pen(2, 1.0f), pen(6, 0.5f), emphasis);
+    const Drawn drawn(pen_of(2, 1.0f), pen_of(6, 0.5f), emphasis);
     drawn.each([&](float, Index i) {
         EXPECT_FLOAT_EQ(drawn.strokes.half_width[i], 2.0f);
         EXPECT_FLOAT_EQ(drawn.strokes.opacity[i], 1.0f);
@@ -92,7 +92,7 @@ TEST(Emphasis, DistanceAndFocusActTogether) {
     Emphasis emphasis;
     emphasis.focus = emphasis.distance = half;
     emphasis.distance_width = Transfer(0, 1, 0.0f, {});
-    const Drawn drawn(pen(2, 1.0f), pen(6, 0.0f), emphasis);
+    const Drawn drawn(pen_of(2, 1.0f), pen_of(6, 0.0f), emphasis);
     drawn.each([&](float, Index i) {
         EXPECT_FLOAT_EQ(drawn.strokes.half_width[i], 2.0f);
         EXPECT_FLOAT_EQ(drawn.strokes.opacity[i], 0.25f);
@@ -100,8 +100,8 @@ TEST(Emphasis, DistanceAndFocusActTogether) {
 }
 
 TEST(Emphasis, WithoutItStrokesAreThoseOfThePenInFocus) {
-    const Drawn drawn(pen(2, 0.7f), pen(6, 0.5f), {});
-    const Pen alone = pen(2, 0.7f);
+    const Drawn drawn(pen_of(2, 0.7f), pen_of(6, 0.5f), {});
+    const Pen alone = pen_of(2, 0.7f);
     const Strokes expected = strokes_of(drawn.clipped, whole_runs(drawn.clipped), alone);
     EXPECT_EQ(drawn.strokes.half_width, expected.half_width);
     EXPECT_EQ(drawn.strokes.opacity, expected.opacity);
@@ -113,7 +113,7 @@ TEST(Emphasis, WhatIsNotShownFadesWhereItEnds) {
     for (int i = 50; i < count; ++i) shown[i] = 0.0f;
     Emphasis emphasis;
     emphasis.shown = shown;
-    const Drawn drawn(pen(2, 1.0f), pen(2, 1.0f), emphasis);
+    const Drawn drawn(pen_of(2, 1.0f), pen_of(2, 1.0f), emphasis);
     drawn.each([&](float t, Index i) {
         if (t < 0.49f || t > 0.51f) {
             EXPECT_FLOAT_EQ(drawn.strokes.opacity[i], t < 0.5f ? 1.0f : 0.0f) << t;
@@ -142,7 +142,7 @@ TEST(Emphasis, PictureBlendsColorsAndInk) {
     const std::vector<float> half(count, 0.5f);
     Emphasis emphasis;
     emphasis.focus = half;
-    Pen red = pen(8, 1.0f), blue = pen(8, 1.0f);
+    Pen red = pen_of(8, 1.0f), blue = pen_of(8, 1.0f);
     red.look.color = {1, 0, 0};
     blue.look.color = {0, 0, 1};
     blue.texture = 0;
@@ -159,7 +159,7 @@ TEST(Emphasis, RefusesArraysOfAnotherLength) {
     const std::vector<float> few(3, 0.5f);
     Emphasis emphasis;
     emphasis.focus = few;
-    EXPECT_THROW(Drawn(pen(2, 1), pen(3, 1), emphasis), std::invalid_argument);
+    EXPECT_THROW(Drawn(pen_of(2, 1), pen_of(3, 1), emphasis), std::invalid_argument);
 }
 
 }  // namespace

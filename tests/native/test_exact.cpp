@@ -16,8 +16,6 @@ using namespace fovea::wires;
 
 namespace {
 
-const View corner_view = perspective({4, -5, 3}, {0, 0, 0});
-
 std::size_t visible_edges(const Mesh& mesh, const View& view, dmat4 at = dmat4(1.0)) {
     return Drawing({place(mesh, at)}, view, {all_edges()}).visible_edges().size();
 }

@@ -13,8 +13,6 @@ using namespace fovea::drawing;
 
 namespace {
 
-const View corner_view = perspective({4, -5, 3}, {0, 0, 0});
-
 Paths extract(const Scene& scene, const View& view, const std::vector<LineSet>& sets) {
     const Tracer tracer(scene, view);
     return extract_paths(scene, view, sets, tracer, Cancel());

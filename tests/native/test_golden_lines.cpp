@@ -12,7 +12,7 @@ using namespace fovea::draw;
 namespace {
 
 constexpr double exact = 1e-6;
-const dvec3 eye(2, 1.5, 3);
+const dvec3 golden_eye(2, 1.5, 3);
 
 void near_to(double value, double expected, const char* what) {
     EXPECT_NEAR(value, expected, exact * std::max(1.0, std::abs(expected))) << what;
@@ -26,7 +26,7 @@ struct Golden {
     DemarcatingOf<double> demarcating;
 
     Golden(const ImplicitJet& jet, const dvec3& p) : c(curvature_of(jet)) {
-        const dvec3 to_eye = eye - p;
+        const dvec3 to_eye = golden_eye - p;
         const double distance = glm::length(to_eye);
         seen = see(c, to_eye / distance, 1.0 / distance);
         radial = fovea::field::radial(c, seen);
@@ -62,7 +62,7 @@ struct Golden {
     }
 };
 
-ImplicitJet ellipsoid(const dvec3& axes, const dvec3& p) {
+ImplicitJet implicit_ellipsoid(const dvec3& axes, const dvec3& p) {
     ImplicitJet jet;
     for (int i = 0; i < 3; ++i) {
         jet.gradient[i] = 2 * p[i] / (axes[i] * axes[i]);
@@ -126,7 +126,7 @@ double waves(double x, double y, ImplicitJet& jet) {
 
 TEST(GoldenLines, Ellipsoid) {
     const dvec3 axes(1.5, 1.1, .7), p(1.5 * cos(.6) * cos(.5), 1.1 * cos(.6) * sin(.5), .7 * sin(.6));
-    const Golden e(ellipsoid(axes, p), p);
+    const Golden e(implicit_ellipsoid(axes, p), p);
     e.is(1.142469809, .639133577, .834830638, .245365201, -2.230180418, 1.323914673, 5.565000731, -2.123808204,
          1.111646413);
     e.third_is(-2.157191459, .359730104, -.402266937, .603733034);

@@ -14,26 +14,27 @@ using namespace fovea::draw;
 namespace {
 
 /// Lines of the scene before a camera, wholly visible unless said otherwise.
-struct Frame {
+struct TimedFrame {
     wires::Wires lines;
     View view;
     ClippedPaths clipped;
     Runs runs;
     Array<float> shown;
 
-    explicit Frame(const std::vector<std::vector<dvec3>>& points, dmat4 to_world = dmat4(1.0), double step_px = 2.0)
+    explicit TimedFrame(const std::vector<std::vector<dvec3>>& points, dmat4 to_world = dmat4(1.0),
+                        double step_px = 2.0)
         : lines(points, to_world), view(wires::camera()), clipped(lines.project(view, {.sample_step_px = step_px})) {
         for (Index q = 0; q < clipped.path.size(); ++q)
             runs.push(q, clipped.arc_px[wires::first_of(clipped, q)], clipped.arc_px[wires::last_of(clipped, q)]);
         shown.resize(clipped.samples);
         std::ranges::fill(shown, 1.0f);
     }
-    Frame& with(float value) {
+    TimedFrame& with(float value) {
         std::ranges::fill(shown, value);
         return *this;
     }
     /// A run over a share of the first piece.
-    Frame& only(double from, double to, std::uint8_t hidden_by = 0) {
+    TimedFrame& only(double from, double to, std::uint8_t hidden_by = 0) {
         const double begin = clipped.arc_px[wires::first_of(clipped, 0)],
                      end = clipped.arc_px[wires::last_of(clipped, 0)];
         runs = {};
@@ -47,12 +48,12 @@ struct Frame {
 
 const std::vector<dvec3> across{{-0.6, 0.1, -1.0}, {0.6, 0.1, -1.0}};
 
-Frame plain(float value) { return Frame({across}).with(value); }
+TimedFrame plain(float value) { return TimedFrame({across}).with(value); }
 
 /// The middle frame of some, smoothed.
-Array<float> middle_of(const std::vector<Frame>& frames, int reach) {
+Array<float> middle_of(const std::vector<TimedFrame>& frames, int reach) {
     std::vector<std::shared_ptr<const ShownLines>> told;
-    for (const Frame& frame : frames) told.push_back(std::make_shared<ShownLines>(frame.told()));
+    for (const TimedFrame& frame : frames) told.push_back(std::make_shared<ShownLines>(frame.told()));
     const int middle = int(frames.size()) / 2;
     std::vector<FrameNear> near;
     for (int k = 0; k < int(frames.size()); ++k)
@@ -66,7 +67,7 @@ TEST(ElisionInTime, AStepBecomesTheSumOfATriangle) {
     for (const int reach : {1, 2, 3, 8}) {
         double before = 0.0, largest = 0.0;
         for (int at = -reach - 1; at <= reach + 1; ++at) {  // of the frame, where 0 is the first after the step
-            std::vector<Frame> frames;
+            std::vector<TimedFrame> frames;
             double sum = 0.0, total = 0.0;
             for (int k = -reach; k <= reach; ++k) {
                 frames.push_back(plain(at + k >= 0 ? 1.0f : 0.0f));
@@ -83,7 +84,7 @@ TEST(ElisionInTime, AStepBecomesTheSumOfATriangle) {
 }
 
 TEST(ElisionInTime, AFrameAloneIsAsItWas) {
-    Frame frame({across});
+    TimedFrame frame({across});
     std::mt19937 random(3);
     std::uniform_real_distribution<float> any(0.0f, 1.0f);
     for (float& shown : frame.shown) shown = any(random);
@@ -94,9 +95,9 @@ TEST(ElisionInTime, AFrameAloneIsAsItWas) {
 
 TEST(ElisionInTime, FramesThatDoNotSeeThePlaceAreLeftOut) {
     // Only the left half of the line is there a frame before, and nothing of it a frame after.
-    Frame before = plain(0.0f).only(0.0, 0.5), after = plain(0.0f);
+    TimedFrame before = plain(0.0f).only(0.0, 0.5), after = plain(0.0f);
     after.runs = {};
-    const Frame now = plain(1.0f);
+    const TimedFrame now = plain(1.0f);
     const Array<float> smooth = middle_of({before, now, after}, 1);
     for (std::size_t s = 0; s < smooth.size(); ++s) {
         const double share = (double(s) + 0.5) / double(smooth.size());
@@ -106,16 +107,16 @@ TEST(ElisionInTime, FramesThatDoNotSeeThePlaceAreLeftOut) {
 }
 
 TEST(ElisionInTime, WhatIsHiddenThereIsNotWhatIsVisibleHere) {
-    const Frame hidden = plain(0.0f).only(0.0, 1.0, 2);
+    const TimedFrame hidden = plain(0.0f).only(0.0, 1.0, 2);
     for (const float shown : middle_of({hidden, plain(1.0f), hidden}, 1)) EXPECT_EQ(shown, 1.0f);
-    Frame also = plain(1.0f).only(0.0, 1.0, 1);
+    TimedFrame also = plain(1.0f).only(0.0, 1.0, 1);
     for (const float shown : middle_of({hidden, also, hidden}, 1)) EXPECT_FLOAT_EQ(shown, 0.5f);
 }
 
 TEST(ElisionInTime, WhatLiesOutsideOfThePictureSaysNothing) {
     // Moved to the right, the line leaves the picture, whose half width is .8: lines go on beyond it.
-    const Frame now = plain(0.0f);
-    const Frame moved = Frame({across}, glm::translate(dmat4(1.0), dvec3(0.25, 0.0, 0.0)));
+    const TimedFrame now = plain(0.0f);
+    const TimedFrame moved = TimedFrame({across}, glm::translate(dmat4(1.0), dvec3(0.25, 0.0, 0.0)));
     const Array<float> smooth = middle_of({moved, now, moved}, 1);
     const double last = (0.8 - 0.25 + 0.6) / 1.2 * double(smooth.size());
     for (std::size_t s = 0; s < smooth.size(); ++s) {
@@ -132,18 +133,18 @@ TEST(ElisionInTime, ThePlaceIsFoundWhereverTheLineIsAndHoweverItIsSampled) {
     const std::vector<dvec3> bent{{-0.5, -0.2, -1.0}, {0.1, 0.1, -1.6}, {0.4, -0.3, -1.2}};
     const double length = glm::distance(bent[0], bent[1]) + glm::distance(bent[1], bent[2]);
     const auto seen = [&](dmat4 to_world, double step_px) {
-        Frame frame({bent}, to_world, step_px);
+        TimedFrame frame({bent}, to_world, step_px);
         for (const LinePlaces::Sample& at : frame.told().places.samples)
             frame.shown[at.number] = float(at.arc / length);
         return frame;
     };
     const dmat4 nearer = glm::translate(dmat4(1.0), dvec3(0.05, -0.03, 0.2));
     const dmat4 turned = glm::rotate(dmat4(1.0), 0.1, dvec3(0, 1, 0));
-    const Frame now = seen(dmat4(1.0), 2.0);
+    const TimedFrame now = seen(dmat4(1.0), 2.0);
     for (const bool across_triangles : {false, true}) {
-        std::vector<Frame> frames{seen(nearer, 3.1), now, seen(turned, 0.7)};
+        std::vector<TimedFrame> frames{seen(nearer, 3.1), now, seen(turned, 0.7)};
         if (across_triangles)
-            for (Frame& frame : frames) std::ranges::fill(frame.lines.paths.place, Index(1000));
+            for (TimedFrame& frame : frames) std::ranges::fill(frame.lines.paths.place, Index(1000));
         const Array<float> smooth = middle_of(frames, 1);
         ASSERT_EQ(smooth.size(), now.shown.size());
         EXPECT_NE(smooth, now.shown);
@@ -155,12 +156,12 @@ TEST(ElisionInTime, ThePlaceIsFoundWhereverTheLineIsAndHoweverItIsSampled) {
 
 TEST(ElisionInTime, ThePlaceIsFoundOnPathsThatBeginElsewhereOrGoTheOtherWay) {
     const std::vector<dvec3> all{{-0.6, 0.1, -1.0}, {0.0, 0.2, -1.0}, {0.6, 0.1, -1.0}};
-    Frame now({all}), later({{all[1], all[2]}}), earlier({{all[2], all[1]}});
+    TimedFrame now({all}), later({{all[1], all[2]}}), earlier({{all[2], all[1]}});
     // These have the second edge alone, one from its second vertex.
     std::ranges::fill(later.lines.paths.place, Index(1));
     earlier.lines.paths.place = later.lines.paths.place;
     earlier.lines.paths.edge_t = {1.0f, 0.0f};
-    for (Frame* frame : {&now, &later, &earlier}) {
+    for (TimedFrame* frame : {&now, &later, &earlier}) {
         frame->lines.scene = now.lines.scene;
         for (const LinePlaces::Sample& at : frame->told().places.samples)
             frame->shown[at.number] = frame == &now ? 1.0f : float(at.share);
@@ -173,7 +174,7 @@ TEST(ElisionInTime, ThePlaceIsFoundOnPathsThatBeginElsewhereOrGoTheOtherWay) {
 }
 
 TEST(ElisionInTime, LinesOfTheViewStay) {
-    Frame now({across, {{-0.6, 0.2, -1}, {0.6, 0.2, -1}}}), other = Frame(now).with(0.0f);
+    TimedFrame now({across, {{-0.6, 0.2, -1}, {0.6, 0.2, -1}}}), other = TimedFrame(now).with(0.0f);
     now.lines.paths.of_view = other.lines.paths.of_view = {1, 0};
     const Array<float> smooth = middle_of({other, now, other}, 1);
     for (std::size_t s = 0; s < smooth.size(); ++s) EXPECT_FLOAT_EQ(smooth[s], s < smooth.size() / 2 ? 1.0f : 0.5f);
@@ -186,7 +187,7 @@ TEST(ElisionInTime, TheSameForAnyNumberOfThreads) {
     std::vector<std::vector<dvec3>> lines;
     for (int k = 0; k < 400; ++k)
         lines.push_back({{x(random), x(random), z(random)}, {x(random), x(random), z(random)}});
-    std::vector<Frame> frames;
+    std::vector<TimedFrame> frames;
     for (int k = 0; k < 5; ++k) {
         frames.emplace_back(lines, glm::rotate(dmat4(1.0), 0.01 * k, dvec3(0, 1, 0)));
         for (float& shown : frames.back().shown) shown = any(random);
@@ -198,7 +199,7 @@ TEST(ElisionInTime, TheSameForAnyNumberOfThreads) {
 }
 
 TEST(ElisionInTime, RefusesWhatMakesNoSense) {
-    const Frame frame = plain(1.0f);
+    const TimedFrame frame = plain(1.0f);
     const auto told = std::make_shared<ShownLines>(frame.told());
     EXPECT_THROW(smoothed_in_time(frame.shown, *told, std::vector<FrameNear>{{0, told}}, 1), std::invalid_argument);
     EXPECT_THROW(smoothed_in_time(frame.shown, *told, std::vector<FrameNear>{{-2, told}}, 1), std::invalid_argument);

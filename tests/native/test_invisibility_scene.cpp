@@ -141,7 +141,7 @@ TEST(InvisibilityScene, AgreesWithEveryTriangleOneByOne) {
         const double middle = 0.5 * (counted.runs.start_px[r] + counted.runs.end_px[r]);
         Index i = first_of(counted.clipped, q);
         while (counted.clipped.arc_px[i + 1] < middle) ++i;
-        const Segment segment = segment_at(counted.clipped, drawing.paths, drawing.tracer, q, i);
+        const visibility::Segment segment = segment_at(counted.clipped, drawing.paths, drawing.tracer, q, i);
         const double s =
             (middle - counted.clipped.arc_px[i]) / (counted.clipped.arc_px[i + 1] - counted.clipped.arc_px[i]);
         ++asked;

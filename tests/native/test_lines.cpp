@@ -14,8 +14,6 @@ using namespace fovea::drawing;
 
 namespace {
 
-const View corner_view = perspective({4, -5, 3}, {0, 0, 0});
-
 std::set<Index> edges_of(const Drawing& drawing, Index placement = 0) {
     std::set<Index> edges;
     for (const auto& [edge, kinds] : drawing.lines(placement)) edges.insert(edge);

@@ -171,7 +171,7 @@ std::vector<Mesh> degenerate_meshes() {
             analytic::ellipsoid(2, true).mesh};
 }
 
-const View corner_view = perspective({6, -5, 4}, {0, 0, 0});
+const View view_from_corner = perspective({6, -5, 4}, {0, 0, 0});
 
 }  // namespace
 
@@ -202,7 +202,8 @@ TEST_P(Definition, SaysWhatItIs) {
 }
 
 TEST_P(Definition, IsSoundAndTheSameForAnyNumberOfThreads) {
-    for (const View& view : {corner_view, orthographic({6, -5, 4}, {0, 0, 0}, 8), perspective({0, 0, 7}, {0, 0, 0})}) {
+    for (const View& view :
+         {view_from_corner, orthographic({6, -5, 4}, {0, 0, 0}, 8), perspective({0, 0, 7}, {0, 0, 0})}) {
         const Found all(small_scene(), view, every(quick_values(definition), index));
         expect_sound(all, name);
         const Found again(small_scene(), view, every(quick_values(definition), index));
@@ -218,7 +219,7 @@ TEST_P(Definition, FindsSomethingWhenItsParametersAllowIt) {
     for (const bool least : {false, true}) {
         Values values = quick_values(definition);
         for (std::size_t p = 0; least && p < values.size(); ++p) values[p] = definition.parameters[p].low;
-        count += Found(small_scene(), corner_view, every(values, index)).paths.count();
+        count += Found(small_scene(), view_from_corner, every(values, index)).paths.count();
     }
     EXPECT_GT(count, 0u) << "give the scene of this test what the definition finds";
 }
@@ -260,7 +261,7 @@ TEST(Registry, AllDefinitionsAtOnce) {
             all.kinds.push_back({d, default_values(*line_definitions()[d])});
     Paths first;
     for (int run = 0; run < 20; ++run) {
-        const Found found(small_scene(), corner_view, {all});
+        const Found found(small_scene(), view_from_corner, {all});
         if (run == 0) first = found.paths;
         expect_same(found.paths, first, "run " + std::to_string(run));
     }
@@ -269,7 +270,7 @@ TEST(Registry, AllDefinitionsAtOnce) {
 
 TEST_P(Definition, TakesExtremesOfItsParameters) {
     static const std::vector<Placement> scene = small_scene();  // whose surfaces keep their fields
-    View view = corner_view;
+    View view = view_from_corner;
     if (has_rule<ImageRule>(definition)) {  // which costs by the pixel
         view.width /= 2;
         view.height /= 2;
@@ -289,7 +290,8 @@ TEST_P(Definition, TakesDegenerateMeshes) {
         const Placement placed = place(mesh);
         for (const Values& values : {quick_values(definition), least})
             // The last looks along a face, from a vertex.
-            for (View view : {corner_view, orthographic({0, 0, 5}, {0, 0, 0}, 4), perspective({0, 1, 0}, {0, 0, 0})}) {
+            for (View view :
+                 {view_from_corner, orthographic({0, 0, 5}, {0, 0, 0}, 4), perspective({0, 1, 0}, {0, 0, 0})}) {
                 SCOPED_TRACE(mesh.name);
                 // Lines of the image cost by the pixel; what is degenerate is so in few of them, too.
                 view.width /= 4;
@@ -299,8 +301,9 @@ TEST_P(Definition, TakesDegenerateMeshes) {
     }
     // Two of a kind in one place, and a scene of nothing.
     expect_sound(
-        Found({place(box()), place(box(), dmat4(1.0), 2)}, corner_view, every(quick_values(definition), index)), name);
-    EXPECT_EQ(Found({}, corner_view, every(quick_values(definition), index)).paths.count(), 0u);
+        Found({place(box()), place(box(), dmat4(1.0), 2)}, view_from_corner, every(quick_values(definition), index)),
+        name);
+    EXPECT_EQ(Found({}, view_from_corner, every(quick_values(definition), index)).paths.count(), 0u);
 }
 
 INSTANTIATE_TEST_SUITE_P(Registry, Definition, testing::Range(Index(0), Index(line_definitions().size())),

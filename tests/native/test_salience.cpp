@@ -16,13 +16,14 @@ using namespace study;
 using color::RgbImage;
 using Rgb = std::array<std::uint8_t, 3>;
 
-constexpr int width = 640, height = 480;
-constexpr double shape = double(width) / height;
+constexpr int full_width = 640, full_height = 480;
+constexpr double shape = double(full_width) / full_height;
 constexpr Rgb white{255, 255, 255}, gray{120, 120, 120}, red{200, 40, 40}, green{40, 160, 40};
 
 RgbImage paper(Rgb color = white) {
-    RgbImage picture{width, height, {}};
-    for (int i = 0; i < width * height; ++i) picture.values.insert(picture.values.end(), color.begin(), color.end());
+    RgbImage picture{full_width, full_height, {}};
+    for (int i = 0; i < full_width * full_height; ++i)
+        picture.values.insert(picture.values.end(), color.begin(), color.end());
     return picture;
 }
 
@@ -46,7 +47,7 @@ void add_bar(RgbImage& picture, Rgb color, const dvec2& middle, double angle) {
 }
 
 /// Middles of 4 x 3 tiles of the picture.
-dvec2 tile(int i) { return {(i % 4 + 0.5) * width / 4.0, (i / 4 + 0.5) * height / 3.0}; }
+dvec2 tile(int i) { return {(i % 4 + 0.5) * full_width / 4.0, (i / 4 + 0.5) * full_height / 3.0}; }
 
 /// Discs of one color on paper, but for one.
 RgbImage discs(Rgb color, int odd, Rgb of_odd) {
@@ -57,7 +58,7 @@ RgbImage discs(Rgb color, int odd, Rgb of_odd) {
 
 dvec2 first_px(const Plane& salience) {
     const auto found = fixations(salience, shape, 1);
-    return found.empty() ? dvec2(NAN) : found.front().at * dvec2(width, height);
+    return found.empty() ? dvec2(NAN) : found.front().at * dvec2(full_width, full_height);
 }
 
 TEST(Salience, TheEyeGoesToTheDiscOfAnotherColorFirst) {
@@ -99,10 +100,10 @@ TEST(Salience, NothingStandsOutOfOneColor) {
 TEST(Salience, AMirroredPictureHasMirroredSalience) {
     RgbImage picture = discs(green, 6, red), mirrored = picture;
     add_bar(picture, gray, dvec2(200.0, 100.0), 0.7);
-    for (int y = 0; y < height; ++y)
-        for (int x = 0; x < width; ++x)
-            std::copy_n(picture.values.begin() + 3 * (y * width + x), 3,
-                        mirrored.values.begin() + 3 * (y * width + width - 1 - x));
+    for (int y = 0; y < full_height; ++y)
+        for (int x = 0; x < full_width; ++x)
+            std::copy_n(picture.values.begin() + 3 * (y * full_width + x), 3,
+                        mirrored.values.begin() + 3 * (y * full_width + full_width - 1 - x));
     for (const auto& model : {itti_koch, spectral_residual}) {
         const Plane one = model(picture), other = model(mirrored);
         const float most = *std::ranges::max_element(one.values);
@@ -114,11 +115,11 @@ TEST(Salience, AMirroredPictureHasMirroredSalience) {
 
 TEST(Salience, ItIsThatOfTheSamePictureInMorePixels) {
     const RgbImage picture = discs(green, 6, red);
-    RgbImage larger{2 * width, 2 * height, {}};
+    RgbImage larger{2 * full_width, 2 * full_height, {}};
     larger.values.resize(4 * picture.values.size());
     for (int y = 0; y < larger.height; ++y)
         for (int x = 0; x < larger.width; ++x)
-            std::copy_n(picture.values.begin() + 3 * (y / 2 * width + x / 2), 3,
+            std::copy_n(picture.values.begin() + 3 * (y / 2 * full_width + x / 2), 3,
                         larger.values.begin() + 3 * (y * larger.width + x));
     const Plane one = itti_koch(picture), other = itti_koch(larger);
     ASSERT_EQ(one.width, other.width);

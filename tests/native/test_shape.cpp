@@ -16,8 +16,6 @@ using namespace fovea::drawing;
 
 namespace {
 
-const View corner_view = perspective({4, -5, 3}, {0, 0, 0});
-
 Mesh automatic(Mesh mesh) {
     mesh.shape = Shape::automatic;
     return mesh;

@@ -52,10 +52,10 @@ struct Panes {
     }
 };
 
-constexpr int width = 60, height = 40;
+constexpr int columns = 60, rows = 40;
 
-View from_above() { return orthographic({0, 0, 10}, {0, 0, 0}, 6.0, width, height); }
-vec4 amid(const Array<vec4>& layer) { return layer[std::size_t(height / 2) * width + width / 2]; }
+View from_above() { return orthographic({0, 0, 10}, {0, 0, 0}, 6.0, columns, rows); }
+vec4 amid(const Array<vec4>& layer) { return layer[std::size_t(rows / 2) * columns + columns / 2]; }
 bool same(const Array<vec4>& a, const Array<vec4>& b) {
     return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(vec4)) == 0;
 }

@@ -19,28 +19,28 @@ constexpr vector::Sheet sheets[] = {vector::Sheet::a0, vector::Sheet::a1, vector
                                     vector::Sheet::a4, vector::Sheet::a5, vector::Sheet::letter};
 
 /// A rectangle.
-struct Box {
+struct Rectangle {
     dvec2 lower, upper;
 
-    bool holds(const Box& other) const {
+    bool holds(const Rectangle& other) const {
         constexpr double off = 1e-9;
         return glm::all(glm::greaterThanEqual(other.lower, lower - off)) &&
                glm::all(glm::lessThanEqual(other.upper, upper + off));
     }
-    double common_area(const Box& other) const {
+    double common_area(const Rectangle& other) const {
         const dvec2 side = glm::max(glm::min(upper, other.upper) - glm::max(lower, other.lower), dvec2(0.0));
         return side.x * side.y;
     }
     double area() const { return common_area(*this); }
 };
 
-Box box_of(const vector::Path& path) {
-    Box box{dvec2(1e9), dvec2(-1e9)};
+Rectangle box_of(const vector::Path& path) {
+    Rectangle box{dvec2(1e9), dvec2(-1e9)};
     for (const dvec2& p : path.curves.at(0).points) box = {glm::min(box.lower, p), glm::max(box.upper, p)};
     return box;
 }
 
-View seen(int width, int height) {
+View view_of(int width, int height) {
     View view;
     view.width = width, view.height = height;
     view.reference_scale = height / 1080.0;
@@ -83,11 +83,11 @@ TEST(TitleBlocks, LieInTheLowerRightCornerOfTheFrameAndThePictureLiesInItBesideO
         for (const double margin : {0.0, 5.0, 10.0, 17.5})
             for (const auto& [width, height] : {std::pair(1920, 1080), {1080, 1920}, {500, 500}, {3000, 300}}) {
                 const vector::Options options{.sheet = sheet, .margin = margin, .title_block = true};
-                const vector::Page page = vector::page_of(seen(width, height), {}, options);
-                const Box space{dvec2(margin), page.size - margin};
+                const vector::Page page = vector::page_of(view_of(width, height), {}, options);
+                const Rectangle space{dvec2(margin), page.size - margin};
                 const std::vector<vector::Layer> made = layers(page, options);
-                const Box block = box_of(made.at(0).paths.at(1));
-                const Box picture{page.lower, page.place(dvec2(width, height))};
+                const Rectangle block = box_of(made.at(0).paths.at(1));
+                const Rectangle picture{page.lower, page.place(dvec2(width, height))};
                 EXPECT_TRUE(space.holds(block) && space.holds(picture)) << int(sheet) << " " << margin;
                 EXPECT_EQ(dvec2(block.upper.x, block.lower.y), dvec2(space.upper.x, space.lower.y));
                 EXPECT_LE(block.upper.x - block.lower.x, 180.0 + 1e-9);
@@ -105,10 +105,10 @@ TEST(TitleBlocks, AreCoveredByTheirCellsWithoutOverlap) {
     for (const double width : {110.0, 128.0, 180.0}) {
         const vector::Options options{.sheet = vector::Sheet::a5};
         const auto cells = vector::title_cells({3.0, 4.0}, width, options, "1:50");
-        const Box block{dvec2(3.0, 4.0), dvec2(3.0 + width, 34.0)};
+        const Rectangle block{dvec2(3.0, 4.0), dvec2(3.0 + width, 34.0)};
         double area = 0.0;
         for (std::size_t i = 0; i < cells.size(); ++i) {
-            const Box cell{cells[i].lower, cells[i].lower + cells[i].size};
+            const Rectangle cell{cells[i].lower, cells[i].lower + cells[i].size};
             EXPECT_TRUE(block.holds(cell)) << cells[i].name;
             area += cell.area();
             for (std::size_t k = 0; k < i; ++k)
@@ -123,7 +123,7 @@ TEST(TitleBlocks, AreCoveredByTheirCellsWithoutOverlap) {
 
 TEST(TitleBlocks, RuleEachLineBetweenTwoCellsOnce) {
     const vector::Options options{.sheet = vector::Sheet::a4, .title_block = true};
-    const vector::Page page = vector::page_of(seen(1920, 1080), {}, options);
+    const vector::Page page = vector::page_of(view_of(1920, 1080), {}, options);
     const std::vector<vector::Layer> made = layers(page, options);
     double length = 0.0, inner = 0.0;
     for (const vector::Path& path : made.at(1).paths) {
@@ -139,7 +139,7 @@ TEST(TitleBlocks, RuleEachLineBetweenTwoCellsOnce) {
 
 TEST(TitleBlocks, NeedASheetThatIsLargeEnough) {
     const auto refusal = [](const vector::Options& options) {
-        return refused([&] { vector::page_of(seen(1080, 1920), {}, options); });
+        return refused([&] { vector::page_of(view_of(1080, 1920), {}, options); });
     };
     EXPECT_TRUE(contains(refusal({.title_block = true}), "lies on a sheet of paper: choose one"));
     EXPECT_TRUE(contains(refusal({.sheet = vector::Sheet::pixels, .title_block = true}), "choose one"));
@@ -155,9 +155,9 @@ TEST(TitleBlocks, SayTheScaleThatIsDrawn) {
         for (const bool to_scale : {false, true})
             for (const double unit : {1.0, 0.01}) {
                 const vector::Drawing drawing = from_above({.to_scale = to_scale, .unit_meters = unit}, page);
-                Box drawn{dvec2(1e9), dvec2(-1e9)};
+                Rectangle drawn{dvec2(1e9), dvec2(-1e9)};
                 vector::for_each_path(drawing.document.layers[0].layers, [&](const vector::Path& path) {
-                    const Box box = box_of(path);
+                    const Rectangle box = box_of(path);
                     drawn = {glm::min(drawn.lower, box.lower), glm::max(drawn.upper, box.upper)};
                 });
                 const std::string scale = said(drawing, "scale");
@@ -169,7 +169,7 @@ TEST(TitleBlocks, SayTheScaleThatIsDrawn) {
                 EXPECT_NEAR(meters.y / unit, 1.0, 2e-3) << scale;
             }
     vector::Page page{dvec2(210.0, 297.0), dvec2(0.0), 1.0, 1.0};
-    View view = seen(200, 100);
+    View view = view_of(200, 100);
     view.orthographic = true;
     const auto of = [&](double units_high, double unit = 1.0) {
         view.view_to_clip = dmat4(1.0);

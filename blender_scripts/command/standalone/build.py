@@ -138,4 +138,5 @@ def _caching(target):
     return {
         "CCACHE_DIR": str(target.cache.parent / "ccache"), "CCACHE_BASEDIR": str(target.cache),
         "CCACHE_COMPILERCHECK": "content", "CCACHE_COMPILERTYPE": "clang",
+        "CCACHE_DEPEND": "1",
     }  # fmt: skip

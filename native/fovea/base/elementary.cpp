@@ -9,11 +9,12 @@
 #include <limits>
 #include <numbers>
 
+#include <fovea/base/types.h>
+
 namespace fovea::base {
 namespace {
 
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// As std::nearbyint, for |x| below 2^51; that is a call of a function for processors without SSE 4.1.
 double nearest_whole(double x) {

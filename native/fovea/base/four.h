@@ -18,7 +18,7 @@ using FourInts = std::int32_t __attribute__((vector_size(16)));
 
 inline Four four(float value) { return Four{} + value; }
 inline FourInts four_ints(std::int32_t value) { return FourInts{} + value; }
-inline Four abs(Four a) { return std::bit_cast<Four>(std::bit_cast<FourInts>(a) & 0x7fffffff); }
+inline Four size_of(Four a) { return std::bit_cast<Four>(std::bit_cast<FourInts>(a) & 0x7fffffff); }
 
 /// a < b ? a : b and a > b ? a : b: b where one is NaN.
 inline Four lesser(Four a, Four b) {

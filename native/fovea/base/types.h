@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <limits>
 #include <memory>
 #include <span>
 #include <utility>
@@ -37,6 +38,8 @@ inline dvec3 unit_or_zero(const dvec3& v) {
 /// Index of a vertex, edge, polygon, facet, path or sample; `none` means no such element.
 using Index = std::uint32_t;
 inline constexpr Index none = 0xffffffffu;
+
+inline constexpr float infinity = std::numeric_limits<float>::infinity();
 
 /// Borrowed, read-only array; valid for the duration of a call.
 template <typename T>

@@ -13,7 +13,6 @@
 namespace fovea::project {
 namespace {
 
-constexpr std::size_t paths_per_block = 512;
 constexpr const char* too_many_samples =
     "options.sample_step: the drawing has more than four billion samples; draw fewer lines or a smaller picture";
 /// Coordinates beyond this overflow in Embree; such paths are dropped.

@@ -10,8 +10,6 @@
 namespace fovea::project {
 namespace {
 
-constexpr std::size_t paths_per_block = 512;
-
 /// A point of a sliver.
 struct Place {
     std::uint64_t at;

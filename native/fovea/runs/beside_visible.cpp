@@ -8,13 +8,12 @@
 namespace fovea::runs {
 namespace {
 
-constexpr std::size_t runs_per_block = 256;
 constexpr double step_px = 2.0;
 constexpr double alongside = 0.97;  // cosine of 14 degrees: smaller angles count as parallel, in either direction
 /// Times near_px: length over which a line lies beside one that it crosses at that angle.
 constexpr double crossing = 3.0;
 
-struct Place {
+struct OnRun {
     dvec2 px, way;
 };
 
@@ -31,23 +30,23 @@ void walk(const ClippedPaths& clipped, const Runs& runs, std::size_t run, const 
         const dvec2 a(clipped.px[i]), b(clipped.px[i + 1]);
         const double part = clipped.arc_px[i + 1] - clipped.arc_px[i], chord = glm::length(b - a);
         if (!(part > 0.0 && chord > 0.0 && std::isfinite(chord))) continue;
-        visit(arc, Place{glm::mix(a, b, std::clamp((arc - clipped.arc_px[i]) / part, 0.0, 1.0)), (b - a) / chord});
+        visit(arc, OnRun{glm::mix(a, b, std::clamp((arc - clipped.arc_px[i]) / part, 0.0, 1.0)), (b - a) / chord});
     }
 }
 
 /// Uniform grid over sample places of visible runs.
-class Grid {
+class VisiblePlaces {
    public:
-    Grid(const ClippedPaths& clipped, const Runs& runs, double near_px) : cell_(std::max(near_px, step_px)) {
-        const auto found = parallel_parts<Array<Place>>(
-            runs.size(), runs_per_block, [&](Array<Place>& places, std::size_t begin, std::size_t end) {
+    VisiblePlaces(const ClippedPaths& clipped, const Runs& runs, double near_px) : cell_(std::max(near_px, step_px)) {
+        const auto found = parallel_parts<Array<OnRun>>(
+            runs.size(), runs_per_block, [&](Array<OnRun>& places, std::size_t begin, std::size_t end) {
                 for (std::size_t r = begin; r < end; ++r)
                     if (runs.invisibility[r] == 0)
-                        walk(clipped, runs, r, [&](double, const Place& place) { places.push_back(place); });
+                        walk(clipped, runs, r, [&](double, const OnRun& place) { places.push_back(place); });
             });
         dvec2 low(INFINITY), high(-INFINITY);
         for (const auto& block : found)
-            for (const Place& place : block) {
+            for (const OnRun& place : block) {
                 low = glm::min(low, place.px);
                 high = glm::max(high, place.px);
             }
@@ -55,19 +54,19 @@ class Grid {
         low_ = low;
         across_ = std::int64_t((high.x - low.x) / cell_) + 1;
         up_ = std::int64_t((high.y - low.y) / cell_) + 1;
-        cells_ = lists_of<Place>(std::size_t(across_ * up_), [&](const auto& give) {
+        cells_ = lists_of<OnRun>(std::size_t(across_ * up_), [&](const auto& give) {
             for (const auto& block : found)
-                for (const Place& place : block) give(cell(place.px), place);
+                for (const OnRun& place : block) give(cell(place.px), place);
         });
     }
 
     /// Whether a visible run lies alongside `place` within near_px.
-    bool holds(const Place& place, double near_px) const {
+    bool holds(const OnRun& place, double near_px) const {
         const dvec2 at = (place.px - low_) / cell_;
         const auto x = std::int64_t(std::floor(at.x)), y = std::int64_t(std::floor(at.y));
         for (std::int64_t j = std::max<std::int64_t>(y - 1, 0); j <= std::min(y + 1, up_ - 1); ++j)
             for (std::int64_t i = std::max<std::int64_t>(x - 1, 0); i <= std::min(x + 1, across_ - 1); ++i)
-                for (const Place& other : cells_[Index(j * across_ + i)])
+                for (const OnRun& other : cells_[Index(j * across_ + i)])
                     if (glm::distance(other.px, place.px) < near_px &&
                         std::abs(glm::dot(other.way, place.way)) > alongside)
                         return true;
@@ -83,12 +82,12 @@ class Grid {
     double cell_;
     dvec2 low_{0.0};
     std::int64_t across_ = 0, up_ = 0;
-    Lists<Place> cells_;
+    Lists<OnRun> cells_;
 };
 
 /// Appends the parts of a hidden run that do not lie alongside a visible one.
-void keep_rest(const ClippedPaths& clipped, const Runs& runs, std::size_t run, const Grid& grid, double near_px,
-               Runs& out) {
+void keep_rest(const ClippedPaths& clipped, const Runs& runs, std::size_t run, const VisiblePlaces& grid,
+               double near_px, Runs& out) {
     const double least = crossing * near_px;
     double kept_from = runs.start_px[run], beside_from = 0.0;
     bool beside = false;
@@ -100,7 +99,7 @@ void keep_rest(const ClippedPaths& clipped, const Runs& runs, std::size_t run, c
         beside = false;
     };
     bool first = true;
-    walk(clipped, runs, run, [&](double arc, const Place& place) {
+    walk(clipped, runs, run, [&](double arc, const OnRun& place) {
         const bool now = grid.holds(place, near_px);
         if (now && !beside) beside_from = first ? runs.start_px[run] : arc - 0.5 * step_px;
         if (!now) leave(arc - 0.5 * step_px);
@@ -116,7 +115,7 @@ void keep_rest(const ClippedPaths& clipped, const Runs& runs, std::size_t run, c
 Runs without_beside_visible(const ClippedPaths& clipped, const Runs& runs, double near_px) {
     check_runs(clipped, runs);
     check(std::isfinite(near_px) && near_px > 0.0, "near_px: not a number above 0");
-    const Grid grid(clipped, runs, near_px);
+    const VisiblePlaces grid(clipped, runs, near_px);
     return runs_by_blocks(runs.size(), runs_per_block, [&](Runs& out, std::size_t begin, std::size_t end) {
         for (std::size_t r = begin; r < end; ++r)
             if (runs.invisibility[r] == 0)

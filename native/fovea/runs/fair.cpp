@@ -15,7 +15,7 @@
 namespace fovea::runs {
 namespace {
 
-constexpr std::size_t pieces_per_block = 64;
+constexpr std::size_t faired_per_block = 64;
 constexpr double window = 3.0;    // edges to each side
 constexpr double farthest = 0.4;  // of an edge
 constexpr int rounds = 2;
@@ -125,7 +125,7 @@ class Fairing {
 
 void fair(ClippedPaths& clipped, const Paths& paths, const Scene& scene, double contour_px) {
     const Fairing fairing(clipped, paths, scene, contour_px);
-    parallel_for(clipped.path.size(), pieces_per_block, [&](std::size_t q) { fairing.run(Index(q)); });
+    parallel_for(clipped.path.size(), faired_per_block, [&](std::size_t q) { fairing.run(Index(q)); });
 }
 
 }  // namespace fovea::runs

@@ -23,8 +23,8 @@ struct End {
 };
 
 /// How a run of a piece ends.
-struct Ends {
-    Ends(const ClippedPaths& clipped, const Runs& runs, std::size_t run) {
+struct RunEnds {
+    RunEnds(const ClippedPaths& clipped, const Runs& runs, std::size_t run) {
         const Index piece = runs.piece[run];
         const bool first = runs.start_px[run] <= clipped.first_arc(piece) + same_place_px;
         const bool last = runs.end_px[run] >= clipped.last_arc(piece) - same_place_px;
@@ -49,7 +49,7 @@ Array<End> ends_of_paths(const ClippedPaths& clipped, const Runs& runs, In<Index
     };
     for (std::size_t r = 0; r < runs.size(); ++r) {
         if (!belongs(clipped, runs, placement, r)) continue;
-        const Ends ends(clipped, runs, r);
+        const RunEnds ends(clipped, runs, r);
         if (ends.at_start) add(r, clipped.pieces.begin(runs.piece[r]));
         if (ends.at_end) add(r, clipped.pieces.end(runs.piece[r]) - 1);
     }
@@ -104,7 +104,7 @@ Groups group_runs(const ClippedPaths& clipped, const Runs& runs, In<Index> place
         const Index group = groups.of_run[r] = groups.of_run[root];
         boxes[group].hold(clipped, runs.piece[r], runs.start_px[r], runs.end_px[r]);
         groups.length_px[group] += float(runs.end_px[r] - runs.start_px[r]);
-        groups.hidden[group] |= Ends(clipped, runs, r).hidden;
+        groups.hidden[group] |= RunEnds(clipped, runs, r).hidden;
     }
     groups.size_px = parallel_map<float>(boxes.size(), [&](std::size_t g) { return boxes[g].size(); });
     return groups;

@@ -9,8 +9,6 @@
 namespace fovea::runs {
 namespace {
 
-constexpr std::size_t runs_per_block = 256;
-
 /// Splits hidden runs.
 class Splitter {
    public:

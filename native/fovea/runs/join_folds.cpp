@@ -11,8 +11,7 @@
 namespace fovea::runs {
 namespace {
 
-constexpr std::size_t pieces_per_block = 256;
-constexpr double step_px = 0.5;       // between places that are compared
+constexpr double compared_px = 0.5;   // between places that are compared
 constexpr double look_px = 3.0;       // length over which directions are measured: segments on dense meshes zigzag
 constexpr double turn_back = -0.5;    // cosine of the sharpest turn at a joint, where more than that length is cut off
 constexpr double cost_of_cut = 0.05;  // pixels of distance that a pixel of a run is worth
@@ -24,7 +23,7 @@ struct Joint {
 };
 
 /// A place of a run, in arc length, and how much of the run lies beyond it.
-struct Place {
+struct OnPiece {
     double arc, cut;
     dvec2 px;
 };
@@ -75,8 +74,8 @@ class Joiner {
         find_head(span);
         double least = std::numeric_limits<double>::infinity();
         Joint found{};
-        for (const Place& a : tail_)
-            for (const Place& b : head_) {
+        for (const OnPiece& a : tail_)
+            for (const OnPiece& b : head_) {
                 const double apart = glm::distance(a.px, b.px), cost = apart + cost_of_cut * (a.cut + b.cut);
                 if (apart > near_ || cost >= least || !is_fold(a, b) || !goes_on(a, b, span)) continue;
                 least = cost;
@@ -97,7 +96,8 @@ class Joiner {
             const bool first = k == 0 || joints[k - 1].to <= spans.back().begin;
             const double begin = first ? spans.back().begin : joints[k - 1].to;
             double arc = end;
-            for (; arc > begin && cut <= fold_; arc -= step_px, cut += step_px) tail_.push_back({arc, cut, px(arc)});
+            for (; arc > begin && cut <= fold_; arc -= compared_px, cut += compared_px)
+                tail_.push_back({arc, cut, px(arc)});
             if (first) break;
             cut -= begin - arc;
             end = joints[k - 1].from;
@@ -106,27 +106,27 @@ class Joiner {
 
     void find_head(const Span& span) {
         head_.clear();
-        for (double cut = 0.0; cut <= fold_ && cut < span.length(); cut += step_px)
+        for (double cut = 0.0; cut <= fold_ && cut < span.length(); cut += compared_px)
             head_.push_back({span.begin + cut, cut, px(span.begin + cut)});
     }
 
     /// Whether no more is cut off than what is hidden, which is the way back, and nothing that leads away from what is
     /// left, except spurs.
-    bool is_fold(const Place& a, const Place& b) const {
+    bool is_fold(const OnPiece& a, const OnPiece& b) const {
         const double cut = a.cut + b.cut, hidden = b.arc - a.arc - cut;
         return cut <= hidden + 2.0 * near_ && (a.cut < spur_ || beside(tail_.front(), head_, b.cut)) &&
                (b.cut < spur_ || beside(head_.front(), tail_, a.cut));
     }
 
     /// Whether a place lies beside a line, beyond what is cut off that.
-    bool beside(const Place& place, const std::vector<Place>& line, double cut) const {
-        return std::ranges::any_of(line, [&](const Place& other) {
+    bool beside(const OnPiece& place, const std::vector<OnPiece>& line, double cut) const {
+        return std::ranges::any_of(line, [&](const OnPiece& other) {
             return other.cut >= cut && glm::distance(other.px, place.px) <= 2.0 * near_;
         });
     }
 
     /// Whether something is left of both, and the line does not turn back where it goes from one to the other.
-    bool goes_on(const Place& a, const Place& b, const Span& span) const {
+    bool goes_on(const OnPiece& a, const OnPiece& b, const Span& span) const {
         if (a.cut + b.cut <= look_px) return true;
         if (a.arc - spans.back().begin < look_px || span.end - b.arc < look_px) return false;
         const dvec2 into = a.px - px(a.arc - look_px);
@@ -138,7 +138,7 @@ class Joiner {
     Index piece_;
     double fold_, near_, spur_;
     bool joined_ = false;
-    std::vector<Place> tail_, head_;
+    std::vector<OnPiece> tail_, head_;
 };
 
 /// A point of the new pieces: at a screen fraction of a segment of the given ones, with the samples that its own

@@ -18,9 +18,9 @@ constexpr double in_line_px = 1.5;     // the same for a straight extension; end
 constexpr double straight_on = 0.375;  // maximum straight extension, as a fraction of the reach
 constexpr double gain_px = 0.5;        // minimum extension
 
-class Ends {
+class MeetingEnds {
    public:
-    Ends(const ClippedPaths& clipped, const Runs& runs, In<Index> placement, double reach_px)
+    MeetingEnds(const ClippedPaths& clipped, const Runs& runs, In<Index> placement, double reach_px)
         : clipped_(clipped),
           runs_(runs),
           placement_(placement),
@@ -82,7 +82,7 @@ Runs meet_ends(const ClippedPaths& clipped, const Runs& runs, In<std::uint8_t> o
     check(of_view.size() >= paths, "of_view: one value per path expected");
     check(placement.size() >= paths, "placement: one value per path expected");
     check(std::isfinite(reach_px) && reach_px > 0.0, "reach_px: not a number above 0");
-    const Ends ends(clipped, runs, placement, reach_px);
+    const MeetingEnds ends(clipped, runs, placement, reach_px);
     const Rows rows = runs_of_pieces(clipped, runs);
     const double beyond = straight_on * reach_px;
     return runs_by_blocks(clipped.path.size(), 256, [&](Runs& out, std::size_t begin, std::size_t end) {

@@ -11,8 +11,6 @@
 namespace fovea::runs {
 namespace {
 
-constexpr std::size_t runs_per_block = 256;
-
 using Strips = std::shared_ptr<const Array<Index>>;
 
 /// Lines along mesh edges of surfaces that have strips, by placement and edge.

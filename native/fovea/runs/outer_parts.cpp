@@ -11,7 +11,7 @@
 namespace fovea::runs {
 namespace {
 
-constexpr std::size_t runs_per_block = 64;
+constexpr std::size_t outlines_per_block = 64;
 
 /// Splits a range of runs.
 class Parting {
@@ -92,8 +92,8 @@ OuterParts outer_parts(const ClippedPaths& clipped, const Paths& paths, const Tr
     check(sure.size() == paths.count(), "sure: one value per path expected");
     check(step_px > 0.0, "step_px must be more than 0");
     tracer.check_current();
-    const auto parts =
-        parallel_parts<OuterParts>(runs.size(), runs_per_block, [&](OuterParts& part, std::size_t r, std::size_t end) {
+    const auto parts = parallel_parts<OuterParts>(
+        runs.size(), outlines_per_block, [&](OuterParts& part, std::size_t r, std::size_t end) {
             cancel.poll();
             Parting parting(clipped, paths, tracer, sure, step_px, inner, part);
             for (; r < end; ++r) parting.add(runs, r);

@@ -9,7 +9,7 @@
 namespace fovea::runs {
 namespace {
 
-constexpr double step_px = 2.0;
+constexpr double asked_px = 2.0;
 constexpr double most_depth = 4.0;  // of what hides it before the line, in lengths of the gap
 
 /// Whether only the roughness of a line's own surface hides it between two arc lengths.
@@ -21,7 +21,7 @@ bool is_rough(const ClippedPaths& clipped, const Paths& paths, const Tracer& tra
         return std::pair(segment.at(clipped.share_at(i, arc, 0.5)), segment.ignore);
     };
     const double length = glm::distance(place(from).first, place(to).first);
-    const int steps = std::max(1, static_cast<int>(std::ceil((to - from) / step_px)));
+    const int steps = std::max(1, static_cast<int>(std::ceil((to - from) / asked_px)));
     for (int k = 0; k < steps; ++k) {
         const auto [point, ignore] = place(glm::mix(from, to, (k + 0.5) / steps));
         const auto hit = tracer.occluder(vec3(point), ignore);

@@ -10,7 +10,6 @@
 namespace fovea::runs {
 namespace {
 
-constexpr std::size_t runs_per_block = 256;
 constexpr double reach_px = 2.0;  // extension of runs, to find the lines that hide them at their ends despite sampling
 constexpr double direction_px = 3.0;  // to both sides, for directions: segments on dense meshes zigzag
 constexpr double joint_px = 1e-3;     // tolerance at joints, so that no crossing is missed between two segments
@@ -47,26 +46,26 @@ Array<Stretch> visible_stretches(const ClippedPaths& clipped, const Runs& runs) 
 }
 
 /// A position on a segment, by its screen fraction.
-struct Place {
+struct OnPiece {
     Index point;
     double s;
 };
 
 /// Distance from the eye along the view axis.
-double distance(const ClippedPaths& clipped, const Place& at) {
+double distance(const ClippedPaths& clipped, const OnPiece& at) {
     const double a = -clipped.position_view[at.point].z, b = -clipped.position_view[at.point + 1].z;
     return clipped.orthographic ? glm::mix(a, b, at.s) : 1.0 / glm::mix(1.0 / a, 1.0 / b, at.s);
 }
 
 /// Size of a pixel in space at a position of a segment.
-double pixel_size(const ClippedPaths& clipped, const Place& at) {
+double pixel_size(const ClippedPaths& clipped, const OnPiece& at) {
     const dvec3 a(clipped.position_view[at.point]), b(clipped.position_view[at.point + 1]);
     const double pixels = glm::length(dvec2(clipped.px[at.point + 1]) - dvec2(clipped.px[at.point]));
     if (clipped.orthographic) return glm::length(dvec2(b) - dvec2(a)) / pixels;
     return glm::length(dvec2(b) / b.z - dvec2(a) / a.z) / pixels * distance(clipped, at);
 }
 
-double arc_at(const ClippedPaths& clipped, const Place& at) {
+double arc_at(const ClippedPaths& clipped, const OnPiece& at) {
     return glm::mix(clipped.arc_px[at.point], clipped.arc_px[at.point + 1], at.s);
 }
 
@@ -75,7 +74,8 @@ dvec2 direction(const ClippedPaths& clipped, Index piece, double arc) {
 }
 
 /// The crossing of two stretches, as positions on the segment of each.
-std::optional<std::pair<Place, Place>> crossing(const ClippedPaths& clipped, const Stretch& far, const Stretch& near) {
+std::optional<std::pair<OnPiece, OnPiece>> crossing(const ClippedPaths& clipped, const Stretch& far,
+                                                    const Stretch& near) {
     const dvec2 a(far.a), c(near.a), along = dvec2(far.b) - a, across = dvec2(near.b) - c;
     const double area = cross(along, across);
     const double t = cross(c - a, across) / area, u = cross(c - a, along) / area;
@@ -86,7 +86,7 @@ std::optional<std::pair<Place, Place>> crossing(const ClippedPaths& clipped, con
     if (area == 0.0 || !meet) return {};
     const auto on_segment = [&](Index point, const dvec2& at) {
         const dvec2 start(clipped.px[point]), way = dvec2(clipped.px[point + 1]) - start;
-        return Place{point, std::clamp(glm::dot(at - start, way) / glm::dot(way, way), 0.0, 1.0)};
+        return OnPiece{point, std::clamp(glm::dot(at - start, way) / glm::dot(way, way), 0.0, 1.0)};
     };
     return std::pair(on_segment(far.point, a + t * along), on_segment(near.point, c + u * across));
 }

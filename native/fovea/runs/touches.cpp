@@ -9,12 +9,10 @@
 namespace fovea::runs {
 namespace {
 
-constexpr std::size_t runs_per_block = 256;
-
 /// Places by the cells of a grid, as large as the distance.
-class Grid {
+class PlaceGrid {
    public:
-    Grid(In<Place> places, double touch_px, bool by_key) : places_(places), touch_(touch_px) {
+    PlaceGrid(In<Place> places, double touch_px, bool by_key) : places_(places), touch_(touch_px) {
         for (Index k = 0; k < places.size(); ++k)
             cells_.push_back({by_key ? places[k].key : 0, cell_of(places[k].px.y), cell_of(places[k].px.x), k});
         parallel_sort(cells_.begin(), cells_.end());
@@ -87,7 +85,7 @@ class Grid {
 
 Array<Touch> touches_of(const ClippedPaths& clipped, const Runs& runs, In<Place> places, In<Index> key,
                         double touch_px) {
-    const Grid grid(places, touch_px, true);
+    const PlaceGrid grid(places, touch_px, true);
     /// The touch of a place by the run that was looked at last.
     struct Last {
         Index run = none;
@@ -118,7 +116,7 @@ Array<Touch> touches_of(const ClippedPaths& clipped, const Runs& runs, In<Place>
 
 Array<std::uint8_t> touched_by_others(const ClippedPaths& clipped, const Runs& runs, In<Place> places, In<Index> own,
                                       double touch_px) {
-    const Grid grid(places, touch_px, false);
+    const PlaceGrid grid(places, touch_px, false);
     Array<std::uint8_t> touched(places.size(), 0);
     parallel_for(runs.size(), runs_per_block, [&](std::size_t r) {
         if (runs.invisibility[r] != 0) return;

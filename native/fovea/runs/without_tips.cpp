@@ -12,13 +12,13 @@ namespace {
 constexpr Index any = 0;  // key of all runs
 
 /// Ends of the groups that may be tips: their places in the image, and their groups.
-struct Ends {
+struct TipEnds {
     Array<Place> places;
     Array<Index> group;
 };
 
-Ends ends_of(const ClippedPaths& clipped, const Runs& runs, const Groups& groups, double tip_px) {
-    Ends ends;
+TipEnds ends_of(const ClippedPaths& clipped, const Runs& runs, const Groups& groups, double tip_px) {
+    TipEnds ends;
     for (std::size_t r = 0; r < runs.size(); ++r) {
         const Index group = groups.of_run[r];
         if (group == none || !groups.hidden[group] || groups.size_px[group] >= tip_px) continue;
@@ -33,7 +33,7 @@ Ends ends_of(const ClippedPaths& clipped, const Runs& runs, const Groups& groups
 }
 
 /// Per group: 1 if it has an end that no group touches but such as are removed themselves.
-std::vector<std::uint8_t> loose_groups(const Groups& groups, const Ends& ends, In<Touch> touches) {
+std::vector<std::uint8_t> loose_groups(const Groups& groups, const TipEnds& ends, In<Touch> touches) {
     std::vector<std::uint8_t> removed(groups.count(), 0);
     for (bool more = true; more;) {
         more = false;
@@ -58,7 +58,7 @@ std::vector<std::uint8_t> loose_groups(const Groups& groups, const Ends& ends, I
 Runs without_tips(const ClippedPaths& clipped, const Runs& runs, In<Index> placement, double tip_px, double touch_px) {
     check(tip_px >= 0.0 && touch_px > 0.0, "tip_px, touch_px: not numbers of 0 or more, and above 0");
     const Groups groups = group_runs(clipped, runs, placement, false);
-    const Ends ends = ends_of(clipped, runs, groups, tip_px);
+    const TipEnds ends = ends_of(clipped, runs, groups, tip_px);
     if (ends.group.empty()) return runs;
     const auto keys =
         parallel_map<Index>(runs.size(), [&](std::size_t r) { return groups.of_run[r] == none ? none : any; });

@@ -6,7 +6,6 @@
 namespace fovea::scene {
 namespace {
 
-constexpr float infinity = std::numeric_limits<float>::infinity();
 constexpr Box empty{vec3(infinity), vec3(-infinity)};
 
 Box around(const Box& a, const Box& b) { return {glm::min(a.low, b.low), glm::max(a.high, b.high)}; }

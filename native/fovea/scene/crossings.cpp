@@ -19,8 +19,6 @@ namespace {
 /// coplanar.
 constexpr double flat_sine = 0.01;
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 /// Corners of a triangle, rounded to the grid, and the surface it belongs to (0 first, 1 second).
 struct Corners {
     dvec3 p[3];

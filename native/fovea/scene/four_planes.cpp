@@ -6,8 +6,6 @@
 namespace fovea::scene {
 namespace {
 
-constexpr float infinity = std::numeric_limits<float>::infinity();
-
 /// Products below this have lost digits: they are as good as 0. Where bounds of errors are above the other, products
 /// may have overflowed.
 constexpr float smallest = 1e-35f, greatest = 1e30f;
@@ -23,7 +21,7 @@ Vectors cross(const Vectors& a, const Vectors& b) {
 }
 
 /// Largest magnitude of a coordinate.
-Four largest(const Vectors& v) { return greater(abs(v.x[0]), greater(abs(v.x[1]), abs(v.x[2]))); }
+Four largest(const Vectors& v) { return greater(size_of(v.x[0]), greater(size_of(v.x[1]), size_of(v.x[2]))); }
 
 /// Six times the volumes of the tetrahedra that a triangle forms with the corners of another one.
 struct Volumes {
@@ -60,9 +58,9 @@ struct Interval {
             const FourInts left_out =
                 ((from > room) & (to > room)) | ((from < -room) & (to < -room)) | common[i] | common[j];
             // Both volumes are uncertain by `room`: the share is by less than 4 room / fall, where that is below 1.
-            const Four fall = from - to, size = greater(abs(fall), four(smallest));
-            const Four share = lesser(abs(from) / size, four(1.0f));
-            const Four uncertain = lesser(4.0f * room / size, four(2.0f)) * abs(along);
+            const Four fall = from - to, size = greater(size_of(fall), four(smallest));
+            const Four share = lesser(size_of(from) / size, four(1.0f));
+            const Four uncertain = lesser(4.0f * room / size, four(2.0f)) * size_of(along);
             const Four middle = at[i] + share * along;
             low = lesser(low, left_out ? four(infinity) : middle - uncertain);
             high = greater(high, left_out ? four(-infinity) : middle + uncertain);
@@ -118,7 +116,7 @@ unsigned FourPlanes::may_cross(unsigned lanes, const FourTriangles& others, int 
     const Four at_other[3] = {four(0.0f), dot(line, first), dot(line, second)};
     const Four at_ours[3] = {dot(line, offset[0]), dot(line, offset[1]), dot(line, offset[2])};
     const Interval cut_of_other(over_ours, at_other, of_others), cut_of_ours(over_other, at_ours, of_ours);
-    const Four sum = abs(line.x[0]) + abs(line.x[1]) + abs(line.x[2]);
+    const Four sum = size_of(line.x[0]) + size_of(line.x[1]) + size_of(line.x[2]);
     const Four room = sum * (0x1p-19f * greater(longest, over_other.farthest) + 4.0f * error_) + smallest;
     const FourInts finite = (room < greatest) & (over_ours.room < greatest) & (over_other.room < greatest);
     FourInts apart = (cut_of_other.high + room < cut_of_ours.low) | (cut_of_ours.high + room < cut_of_other.low);

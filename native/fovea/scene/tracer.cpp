@@ -69,7 +69,6 @@ std::optional<Hit> Tracer::occluder(const vec3& point, const Ignore& ignore) con
 }
 
 std::optional<Hit> Tracer::along(const dvec3& point, const Ignore& ignore, double near_t) const {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
     const dvec3 eye = view_.orthographic ? dvec3(point.x, point.y, 0.0) : dvec3(0.0);
     return nearest(behind_section({eye, point - eye, near_t, infinity}), ignore);
 }
@@ -79,7 +78,6 @@ std::optional<Hit> Tracer::between(const dvec3& origin, const dvec3& point, cons
 }
 
 Ray Tracer::ray_beyond(const vec3& point) const {
-    constexpr float infinity = std::numeric_limits<float>::infinity();
     if (view_.orthographic) {
         const float reach = std::max(std::abs(point.z), 1e-6f);
         return behind_section({point, vec3(0, 0, -reach), static_cast<float>(ray_margin), infinity});
@@ -145,7 +143,6 @@ bool Tracer::continues_behind(const vec3& point, const Ignore& ignore, Index pla
 
 std::optional<Hit> Tracer::seen(const dvec2& px) const {
     const dvec3 point = on_near_plane(view_, clip_to_view_, px);
-    constexpr float infinity = std::numeric_limits<float>::infinity();
     const auto near_distance = static_cast<float>(view_.near_clip);
     if (view_.orthographic)
         return nearest(behind_section({vec3(point.x, point.y, 0.0), vec3(0, 0, -1), near_distance, infinity}), {});

@@ -8,8 +8,6 @@
 namespace fovea::scene {
 namespace {
 
-constexpr float infinity = std::numeric_limits<float>::infinity();
-
 /// Number of pairs of nodes from which the work is not divided further.
 constexpr std::size_t enough_blocks = 64;
 

@@ -11,12 +11,12 @@
 namespace fovea::stroke {
 namespace {
 
-constexpr int curve_steps = 64;             // of a transfer function, which is linear between them
-constexpr double step_px = 0.6;             // half the length over which a step of a transfer function is drawn
-constexpr double depth_step_px = 16.0;      // px between knots of distance, which perspective bends
-constexpr float paint_step = 1.0f / 64.0f;  // largest change of what is painted between two knots
-constexpr double straight = 0.9995;         // cosine of the largest bend that does not change a nib: 2 degrees
-constexpr std::uint64_t stream = 0xa1;      // noise of modifiers is not that of wobble
+constexpr int curve_steps = 64;               // of a transfer function, which is linear between them
+constexpr double step_px = 0.6;               // half the length over which a step of a transfer function is drawn
+constexpr double depth_step_px = 16.0;        // px between knots of distance, which perspective bends
+constexpr float paint_step = 1.0f / 64.0f;    // largest change of what is painted between two knots
+constexpr double straight = 0.9995;           // cosine of the largest bend that does not change a nib: 2 degrees
+constexpr std::uint64_t of_modifiers = 0xa1;  // noise of modifiers is not that of wobble
 
 /// Position on a line at an arc length; beyond its ends that of the end, or around a closed line.
 dvec2 place(const CenterLine& line, bool closed, double arc) {
@@ -155,7 +155,7 @@ vec3 Modifiers::at(const CenterLine& line, const Course& course, const CenterPoi
         taken = focus::both(taken, distance_.share * float(std::clamp(share, 0.0, 1.0)));
     }
     if (noise_.any) {
-        const double noise = 0.5 + 0.5 * noise_along(point, wave_px_, course.hand.stream(stream));
+        const double noise = 0.5 + 0.5 * noise_along(point, wave_px_, course.hand.stream(of_modifiers));
         taken = focus::both(taken, noise_.share * float(noise));
     }
     if (paint_.any()) {

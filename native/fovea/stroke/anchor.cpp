@@ -10,7 +10,7 @@
 namespace fovea::stroke {
 namespace {
 
-constexpr double step_px = 4.0;  // between points in which places are exact, as perspective bends them
+constexpr double bent_px = 4.0;  // between points in which places are exact, as perspective bends them
 constexpr double least_scale = 1.0 / 64.0, most_scale = 64.0;  // of marks that are crushed or drawn out
 
 double noise_of_seed(const CenterPoint& point, double length_px, std::uint64_t seed) {
@@ -40,7 +40,7 @@ PathAnchor::PathAnchor(const ClippedPaths& clipped, const Paths* paths, const Ma
 
 void PathAnchor::place(CenterLine& line) const {
     if (line.size() < 2) return;
-    if (paths_ || marks_) insert_points(line, multiples(line, step_px));
+    if (paths_ || marks_) insert_points(line, multiples(line, bent_px));
     for (CenterPoint& p : line) place(p);
 }
 

@@ -8,9 +8,9 @@
 namespace fovea::stroke {
 namespace {
 
-constexpr std::uint64_t stream = 0xb2;  // its noise is not that of the hand
-constexpr double blot_widths = 4.0;     // length of a blot and a gap, in widths of the pen
-constexpr double least_blot = 8.0;      // px
+constexpr std::uint64_t of_blots = 0xb2;  // its noise is not that of the hand
+constexpr double blot_widths = 4.0;       // length of a blot and a gap, in widths of the pen
+constexpr double least_blot = 8.0;        // px
 constexpr double steps_per_blot = 8.0;
 constexpr float softness = 0.25f;  // range of shares over which a place comes or goes
 
@@ -18,7 +18,7 @@ void break_up(CenterLine& line, const Pen& pen, const Hand& hand) {
     if (std::ranges::all_of(line, [](const CenterPoint& p) { return p.seen == 1.0f; })) return;
     const double length = std::max(blot_widths * pen.width_px, least_blot);
     insert_points(line, multiples(line, length / steps_per_blot));
-    const Hand own = hand.stream(stream);
+    const Hand own = hand.stream(of_blots);
     for (CenterPoint& p : line) {
         const float threshold = float(0.5 + 0.5 * noise_along(p, length, own));
         thin(p, std::clamp((p.seen - threshold * (1.0f - softness)) / softness, 0.0f, 1.0f));

@@ -8,6 +8,9 @@ namespace fovea::study {
 
 using namespace vector;  // nothing that draws depends on this folder, so base/namespaces.h does not name it
 
+/// Size of a picture, of which lengths are given in pixels, as a share of one of 1024 x 768: the ratio of diagonals.
+inline double scale_of(int width, int height) { return glm::length(dvec2(width, height)) / 1280.0; }
+
 /// A set of pixels, bottom row first; each value is 1 or 0.
 struct Bitmap {
     int width = 0, height = 0;

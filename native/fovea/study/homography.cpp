@@ -12,7 +12,6 @@ namespace {
 
 constexpr double least_pivot = 1e-13;  // as a share of its diagonal entry
 constexpr int most_samples = 8;        // of a pixel, along a side
-constexpr std::uint8_t white = 255;
 
 /// Moves points about their mean, and to a mean distance of 1 from it.
 Homography normalizing(In<dvec2> points) {

@@ -10,6 +10,9 @@
 
 namespace fovea::study {
 
+/// Paper around pictures.
+inline constexpr std::uint8_t white = 255;
+
 /// Maps the column (x, y, 1) up to a factor.
 using Homography = dmat3;
 

@@ -18,11 +18,9 @@
 namespace fovea::study {
 namespace {
 
-constexpr double blur = 2.0, usual_diagonal = 1280.0;  // px
-constexpr double around = 2.0 * blur;                  // px beyond outlines: what is known there, too
-constexpr float white = 1.0f;
-
-double scale_of(const View& view) { return glm::length(dvec2(view.width, view.height)) / usual_diagonal; }
+constexpr double blur = 2.0;           // px
+constexpr double around = 2.0 * blur;  // px beyond outlines: what is known there, too
+constexpr float tone_of_paper = 1.0f;
 
 float& at(PropertyRow& row, Property property) { return row[std::size_t(property)]; }
 
@@ -41,7 +39,8 @@ void add_image(const Nodes& nodes, double sigma, LocalProperties& found) {
     const image::ShadedBuffer& shaded = nodes.shaded;
     const image::Lattice& lattice = shaded.lattice;
     image::Buffer tone(lattice.size());
-    parallel_for(tone.size(), [&](std::size_t i) { tone[i] = shaded.tone[i] + (1.0f - shaded.coverage[i]) * white; });
+    parallel_for(tone.size(),
+                 [&](std::size_t i) { tone[i] = shaded.tone[i] + (1.0f - shaded.coverage[i]) * tone_of_paper; });
     const image::Buffer smooth = image::gaussian(tone, lattice.width, lattice.height, sigma);
     const auto unit = float(sigma);
     parallel_for(std::size_t(nodes.height), 8, [&](std::size_t y) {
@@ -173,7 +172,7 @@ void widen(double distance, LocalProperties& found) {
 LocalProperties local_properties(const Tracer& tracer, const image::ShadedBuffer& shaded, int border,
                                  const Cancel& cancel) {
     const Nodes nodes{shaded, border};
-    const double scale = scale_of(tracer.view()) / shaded.lattice.step_px;
+    const double scale = scale_of(tracer.view().width, tracer.view().height) / shaded.lattice.step_px;
     LocalProperties found{Bitmap(nodes.width, nodes.height), {}};
     found.rows.assign(found.known.set.size(), PropertyRow{});
     add_image(nodes, blur * scale, found);
@@ -187,7 +186,7 @@ LocalProperties local_properties(const Tracer& tracer, const image::ShadedBuffer
 LocalProperties local_properties(const Tracer& tracer, const Cancel& cancel) {
     tracer.check_current();
     const View& view = tracer.view();
-    const int border = int(std::ceil(3.5 * blur * scale_of(view))) + image::fit_reach;
+    const int border = int(std::ceil(3.5 * blur * scale_of(view.width, view.height))) + image::fit_reach;
     const image::Lattice lattice{dvec2(0.5 - border), 1.0, view.width + 2 * border, view.height + 2 * border};
     return local_properties(tracer, image::shade(tracer, lattice, {}, cancel), border, cancel);
 }

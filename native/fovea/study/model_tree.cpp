@@ -11,7 +11,7 @@ namespace fovea::study {
 namespace {
 
 constexpr std::size_t terms = 1 + property_count;
-constexpr double ridge = 1e-4;
+constexpr double node_ridge = 1e-4;
 constexpr double drawn = 15.0;  // samples that the sum of the node above counts as, beside those of a node
 
 using Sum = std::array<double, terms>;  // number, and slopes
@@ -54,7 +54,7 @@ Known known_of(const Samples& samples, In<Index> order, const PropertyRange& ran
     }
     mean[0] /= found.weight;
     found.count = double(order.size());
-    std::ranges::copy(equations.solved(ridge), found.sum.begin());
+    std::ranges::copy(equations.solved(node_ridge), found.sum.begin());
     double error = 0.0, of_mean = 0.0;
     for (const Index i : order) {
         const double weight = samples.weight[i] / found.weight, target = samples.target[i];

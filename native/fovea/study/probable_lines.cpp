@@ -7,18 +7,17 @@
 #include <fovea/base/parallel.h>
 #include <fovea/image/gaussian.h>
 #include <fovea/image/local_fit.h>
+#include <fovea/study/bitmap.h>
 #include <fovea/study/thin.h>
 
 namespace fovea::study {
 namespace {
 
-constexpr double blur = 1.5, usual_diagonal = 1280.0;  // px
-constexpr float within = 0.6f;                         // px from a pixel's middle: no line has gaps
-constexpr float least_bend = 0.02f;                    // over the blur's width, as a share of the probability
-constexpr double low = 0.5;                            // of the threshold
-constexpr double least_length = 8.0;                   // px of a picture of that diagonal
-
-double scale_of(int width, int height) { return glm::length(dvec2(width, height)) / usual_diagonal; }
+constexpr double line_blur = 1.5;     // px
+constexpr float within = 0.6f;        // px from a pixel's middle: no line has gaps
+constexpr float least_bend = 0.02f;   // over the blur's width, as a share of the probability
+constexpr double low = 0.5;           // of the threshold
+constexpr double least_length = 8.0;  // px of a picture of 1024 x 768
 
 /// The sets of neighboring pixels (8 of them) of a bitmap.
 DisjointSets joined_of(const Bitmap& bitmap) {
@@ -50,7 +49,7 @@ Bitmap sets_with(Bitmap bitmap, double least, const Amount& amount) {
 
 Strengths crests_of(const Plane& probability) {
     const int width = probability.width, height = probability.height;
-    const double sigma = blur * scale_of(width, height);
+    const double sigma = line_blur * scale_of(width, height);
     const image::Buffer smooth = image::gaussian(probability.values, width, height, sigma);
     const image::Lattice lattice{dvec2(0.5), 1.0, width, height};
     const auto unit = float(sigma * sigma);

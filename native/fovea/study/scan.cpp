@@ -12,7 +12,6 @@
 namespace fovea::study {
 namespace {
 
-constexpr double usual_diagonal = 1280.0;  // 1024 x 768
 constexpr double window = 31.0, least_speck = 6.0;
 constexpr double share_of_paper = 1.0 / 3;  // darker than that is ink, however wide
 
@@ -49,7 +48,7 @@ Bitmap ink_of(const color::GrayImage& given) {
         for (std::uint8_t& value : picture.values) value = std::uint8_t(255 - value);
         paper = 255 - paper;
     }
-    const double scale = std::max(1.0, std::hypot(picture.width, picture.height) / usual_diagonal);
+    const double scale = std::max(1.0, scale_of(picture.width, picture.height));
     const int half = int(std::lround(0.5 * (window - 1.0) * scale));
     const Array<std::int64_t> sums = summed(picture);
     const std::size_t stride = std::size_t(picture.width) + 1;

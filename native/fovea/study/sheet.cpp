@@ -15,7 +15,6 @@ namespace {
 
 constexpr double margin = 12.0, line_of_text = 5.0, gap = 10.0;  // [mm]
 constexpr double faint = 0.15;                                   // of the picture's ink, below the drawing
-constexpr std::uint8_t white = 255;
 
 // In widths of the frame: how far outside of its corners the discs are, their radius, and where on the way from the
 // upper left one to the upper right one the disc is that tells which is which.

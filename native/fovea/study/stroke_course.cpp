@@ -17,17 +17,17 @@ namespace {
 constexpr float step = 0.25f;                        // [px] across strokes
 constexpr float is_ink = 0.4f;                       // of the darkness of strokes
 constexpr float is_paper = 0.1f;                     // of it
-constexpr double around = 3.0;                       // [px] to each side along a line, of its direction
+constexpr double to_each_side = 3.0;                 // [px] to each side along a line, of its direction
 constexpr double straight = 0.9;                     // cosine of the angle between both: at corners nothing is told
 constexpr float apart = 2.5f;                        // [px] from a line, from which on another one is another one
-constexpr float beside = 2.0f;                       // [px] beyond the reach, where strokes of other lines may be met
+constexpr float met_beside = 2.0f;                   // [px] beyond the reach, where strokes of other lines may be met
 constexpr double inside = 20.0;                      // [px] before the end of a line, where a stroke is followed from
 constexpr float ahead[] = {3.0f, 4.0f, 6.0f, 8.0f};  // [px] beyond an end where another line may go on
 constexpr float lateral = 0.75f;                     // [px] that the middle of a stroke is off to a side there
 constexpr double shortest = 15.0;                    // [px] of lines whose ends are told
 constexpr float turned = 0.05f;                      // [rad] that its direction there is off
 constexpr double of_end = 8.0;                       // [px] before an end, of its direction
-constexpr float gap = 1.5f;                          // [px] without ink that end a stroke
+constexpr float ending_gap = 1.5f;                   // [px] without ink that end a stroke
 constexpr double farthest = 0.1;                     // of the diagonal, beyond an end
 
 struct Place {
@@ -51,8 +51,8 @@ class Arc {
         return glm::mix(px_[i - 1], px_[i], part > 0.0 ? float((s - lengths_[i - 1]) / part) : 0.0f);
     }
     Place place(double s) const {
-        const vec2 here = at(s), before = here - at(std::max(s - around, 0.0)),
-                   after = at(std::min(s + around, length())) - here;
+        const vec2 here = at(s), before = here - at(std::max(s - to_each_side, 0.0)),
+                   after = at(std::min(s + to_each_side, length())) - here;
         const float a = glm::length(before), b = glm::length(after);
         const bool bends = a > 0.5f && b > 0.5f && glm::dot(before, after) < float(straight) * a * b;
         const vec2 along = before + after;
@@ -105,7 +105,7 @@ class Tracer {
         for (float u = start; u <= float(farthest * every_.diagonal()); u += step) {
             if (has_ink(u))
                 last = u;
-            else if (std::isnan(last) || u - last > gap)
+            else if (std::isnan(last) || u - last > ending_gap)
                 break;
         }
         return last - float(options_.cap) * width;
@@ -118,7 +118,7 @@ class Tracer {
         return is_inside && every_.set[std::size_t(y) * std::size_t(every_.width) + std::size_t(x)];
     }
     bool is_beside_another(const Place& place) const {
-        for (float t = apart; t <= reach_ + beside; t += 0.5f)
+        for (float t = apart; t <= reach_ + met_beside; t += 0.5f)
             if (is_set(place.at + t * place.across()) || is_set(place.at - t * place.across())) return true;
         return false;
     }

@@ -22,7 +22,7 @@ constexpr std::size_t darkest = 2;   // of the pixels there: the third one, in c
 constexpr int direction_within = 4;  // [px]
 constexpr float wide = 3.0f;         // [px] from which on the middle of a stroke is ink throughout
 constexpr float step = 0.25f;        // [px] across strokes
-constexpr float farthest = 0.1f;     // of the diagonal: half a stroke's width at most
+constexpr float widest = 0.1f;       // of the diagonal: half a stroke's width at most
 constexpr float end = 0.06f,
                 again = 0.15f;    // of a stroke's darkness: what is less is paper, what is more is another one
 constexpr float border = 0.08f;   // of it: a pixel that is neither paper nor ink throughout is between
@@ -107,7 +107,7 @@ StrokeLooks looks_of(const color::GrayImage& picture, const Bitmap& lines) {
     const bool is_light = by_light < std::min(uneven, by_values);
     const Darkness& dark = is_light ? of_light : of_values;
     const Array<float>& inks = is_light ? light_inks : value_inks;
-    const float reach = farthest * float(lines.diagonal());
+    const float reach = widest * float(lines.diagonal());
     const bool is_dark = paper_of(picture) < dark_paper;
     Array<float> widths(pixels.size(), 0.0f);
     parallel_for(pixels.size(), 256, [&](std::size_t i) {

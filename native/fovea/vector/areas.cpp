@@ -14,7 +14,7 @@ namespace fovea::vector {
 namespace {
 
 constexpr double many_pixels = 8e6;                     // of which more points than one each take too much memory
-constexpr double beside = 1e-6;                         // weight of pixels that other areas share
+constexpr double shared_weight = 1e-6;                  // weight of pixels that other areas share
 constexpr Label bands = 1u << 8, materials = 1u << 24;  // more than there are
 
 /// Labels of what is seen: which placement, material and band of light.
@@ -56,7 +56,7 @@ std::map<Label, dvec4> means(const Labels& labels, In<vec4> pixels, int width, i
             bool inside = true;
             for (const int b : {per_px * v, per_px * v + per_px})
                 for (const int a : {per_px * u, per_px * u + per_px}) inside = inside && labels.at(a, b) == label;
-            const double weight = inside ? 1.0 : beside;
+            const double weight = inside ? 1.0 : shared_weight;
             known->second.first += weight * dvec4(pixels[std::size_t(v) * width + u]);
             known->second.second += weight;
         }
@@ -72,12 +72,6 @@ struct Directed {
     bool backward;
     auto key() const { return std::tie(label, from, border, backward); }
 };
-
-void append(const Curve& more, Curve& curve) {
-    if (curve.empty()) curve.points.push_back(more.start());
-    curve.points.insert(curve.points.end(), more.points.begin() + 1, more.points.end());
-    curve.cubic.insert(curve.cubic.end(), more.cubic.begin(), more.cubic.end());
-}
 
 }  // namespace
 
@@ -111,7 +105,7 @@ std::vector<std::pair<Label, std::vector<Curve>>> outlines_of(const std::vector<
         for (auto part = start; part != parts.end();
              part = loop.end() == loop.start() ? parts.end() : next_of(part->label, part->to)) {
             done[part - parts.begin()] = true;
-            append(part->backward ? reversed(curves[part->border]) : curves[part->border], loop);
+            loop.append(part->backward ? reversed(curves[part->border]) : curves[part->border]);
         }
         loop.closed = true;
         if (found.empty() || found.back().first != start->label) found.push_back({start->label, {}});

@@ -13,9 +13,9 @@ namespace {
 constexpr float unseen = 1.0f / 255.0f;  // opacity
 
 /// Appends the lines of runs.
-class Writer {
+class LineWriter {
    public:
-    Writer(const Frame& frame, const Inking& inking, In<Grain> grains, CenterLines& out)
+    LineWriter(const Frame& frame, const Inking& inking, In<Grain> grains, CenterLines& out)
         : frame_(frame), inking_(inking), grains_(grains), out_(out) {}
 
     /// The parts of a run's stroke that are seen.
@@ -120,7 +120,7 @@ CenterLines center_lines_of(Frame& frame) {
     const Array<Index> order = by_path_id(frame, inking);
     const auto parts =
         parallel_parts<CenterLines>(order.size(), 128, [&](CenterLines& out, std::size_t i, std::size_t end) {
-            Writer writer(frame, inking, grains, out);
+            LineWriter writer(frame, inking, grains, out);
             DrawnLine line;
             for (; i < end; ++i)
                 if (shaper.shape(order[i], line)) writer.write(order[i], line);

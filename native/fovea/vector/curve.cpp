@@ -23,6 +23,11 @@ void Curve::cubic_to(const dvec2& a, const dvec2& b, const dvec2& point) {
     cubic.push_back(1);
 }
 
+void Curve::append(const Curve& more) {
+    points.insert(points.end(), more.points.begin() + !empty(), more.points.end());
+    cubic.insert(cubic.end(), more.cubic.begin(), more.cubic.end());
+}
+
 Curve Curve::through(In<dvec2> points, bool closed) {
     Curve curve{Points(points.begin(), points.end()), {}, closed};
     if (!points.empty()) curve.cubic.assign(points.size() - 1, 0);

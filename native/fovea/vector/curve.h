@@ -45,6 +45,8 @@ struct Curve {
     dvec2 end() const { return points.back(); }
     void line_to(const dvec2& point);
     void cubic_to(const dvec2& a, const dvec2& b, const dvec2& point);
+    /// Appends a curve that starts at its end, or any to an empty one.
+    void append(const Curve& more);
     /// Lines through all points.
     static Curve through(In<dvec2> points, bool closed);
 };

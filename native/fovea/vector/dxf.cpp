@@ -31,9 +31,9 @@ std::string layer_name(const std::string& label) {
     return name.substr(0, longest_name);
 }
 
-class Writer {
+class DxfWriter {
    public:
-    explicit Writer(const Document& document) : document_(document) {}
+    explicit DxfWriter(const Document& document) : document_(document) {}
 
     std::string write() {
         for (const Layer& layer : document_.layers) add(layer, "");
@@ -306,6 +306,6 @@ class Writer {
 
 }  // namespace
 
-std::string dxf_bytes(const Document& document) { return Writer(document).write(); }
+std::string dxf_bytes(const Document& document) { return DxfWriter(document).write(); }
 
 }  // namespace fovea::vector

@@ -10,9 +10,9 @@
 namespace fovea::vector {
 namespace {
 
-constexpr double unseen = 1.0 / 255.0;  // opacity
-constexpr float half_shown = 0.5f;      // by elision
-constexpr double most_change = 0.125;   // of opacity and color, each in [0,1], along a mark
+constexpr double least_opacity = 1.0 / 255.0;  // that is seen
+constexpr float half_shown = 0.5f;             // by elision
+constexpr double most_change = 0.125;          // of opacity and color, each in [0,1], along a mark
 
 /// A point of a stroke on the page.
 struct Inked {
@@ -101,7 +101,9 @@ class Splitter {
 
    private:
     /// Whether the segment from a point is.
-    bool seen(std::size_t i) const { return std::max(points_[i].ink.w, points_[i + 1].ink.w) > unseen && is_inside(i); }
+    bool seen(std::size_t i) const {
+        return std::max(points_[i].ink.w, points_[i + 1].ink.w) > least_opacity && is_inside(i);
+    }
     bool is_inside(std::size_t i) const { return sides_.hold(points_[i], points_[i + 1]); }
 
     void add(std::size_t from, std::size_t to) {
@@ -174,7 +176,7 @@ Marks marks_of(const Frame& frame, const Page& page, double tolerance, Cutting c
                     {page.place(p.px), page.scale * p.arc, of_width * p.half_width * p.thinness,
                      ink_of(p, pen, pen.away == none ? pen : inking.pens[pen.away], grain.opacity, paper)});
                 double& opacity = points.back().ink.w;
-                if (cutting == Cutting::elision) opacity = opacity > unseen && p.shown >= half_shown ? 1.0 : 0.0;
+                if (cutting == Cutting::elision) opacity = opacity > least_opacity && p.shown >= half_shown ? 1.0 : 0.0;
             }
             const std::size_t before = out.marks.size();
             Splitter(stepped(points, sides), sides, Index(r), line.closed, cutting, out.marks).split();

@@ -125,11 +125,6 @@ class Side {
     Points out_;
 };
 
-void append(const Curve& more, Curve& curve) {
-    curve.points.insert(curve.points.end(), more.points.begin() + 1, more.points.end());
-    curve.cubic.insert(curve.cubic.end(), more.cubic.begin(), more.cubic.end());
-}
-
 /// From the curve's end around the end of a line to `to`, within `tolerance`: its direction there, outwards.
 void cap(Curve& curve, const dvec2& to, const dvec2& direction, bool round, double tolerance) {
     if (!round) return curve.line_to(to);
@@ -160,7 +155,7 @@ std::vector<Curve> outline(In<dvec2> points, In<double> widths, bool closed, Rou
     const Curve back = fit(right, false, tolerance);
     if (curve.empty() || back.empty()) return {};
     cap(curve, back.start(), fine.direction(fine.size() - 2), round.end, tolerance);
-    append(back, curve);
+    curve.append(back);
     cap(curve, curve.start(), -fine.direction(0), round.start, tolerance);
     curve.closed = true;
     return {curve};

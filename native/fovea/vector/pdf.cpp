@@ -83,9 +83,9 @@ std::string image_object(const Image& image, int first, int count, const std::st
            "\nendstream";
 }
 
-class Writer {
+class PdfWriter {
    public:
-    explicit Writer(const Document& document) : document_(document) {}
+    explicit PdfWriter(const Document& document) : document_(document) {}
 
     std::string write() {
         const double scale = document_.in_pixels ? points_per_px : points_per_mm;
@@ -241,6 +241,6 @@ class Writer {
 
 }  // namespace
 
-std::string pdf_bytes(const Document& document) { return Writer(document).write(); }
+std::string pdf_bytes(const Document& document) { return PdfWriter(document).write(); }
 
 }  // namespace fovea::vector

@@ -12,12 +12,12 @@ namespace fovea::vector {
 namespace {
 
 constexpr double points_per_cell = 2.0;
-constexpr int most_rounds = 30;
+constexpr int most_passes = 30;
 constexpr std::ptrdiff_t widest = 1000;   // strokes over which a part of the way is turned around
 constexpr std::ptrdiff_t narrowest = 10;  // and where there are many, so that trials are enough for some rounds
 constexpr std::size_t shared = 20;        // trials of a stroke in these rounds, in windows
 constexpr std::ptrdiff_t most_moved = 3;  // strokes that are moved together
-constexpr double least_gain = 1e-9;
+constexpr double least_saved = 1e-9;
 
 dvec2 first_of(In<Stop> strokes, const Turn& turn) {
     return turn.reversed ? strokes[turn.stroke].end : strokes[turn.stroke].start;
@@ -46,7 +46,7 @@ class Plan {
             for (std::ptrdiff_t j = i; j < std::min(count_, i + window_); ++j, --trials_) {
                 const double before = gap(i) + gap(j + 1);
                 const double after = glm::distance(last(i - 1), last(j)) + to_next(first(i), j + 1);
-                if (after > before - least_gain) continue;
+                if (after > before - least_saved) continue;
                 reverse(i, j);
                 any = true;
             }
@@ -85,8 +85,8 @@ class Plan {
 
     bool move(std::ptrdiff_t i, std::ptrdiff_t j) {
         const double taken = gap(i) + gap(j + 1) - to_next(last(i - 1), j + 1);
-        if (taken <= least_gain) return false;
-        double best = taken - least_gain;
+        if (taken <= least_saved) return false;
+        double best = taken - least_saved;
         std::ptrdiff_t place = -1;
         bool turned = false;
         const std::ptrdiff_t from = std::max<std::ptrdiff_t>(0, i - window_);
@@ -160,7 +160,7 @@ std::vector<Turn> nearest_order(In<Stop> strokes, const dvec2& home) {
 
 std::vector<Turn> plot_order(In<Stop> strokes, const dvec2& home, std::size_t trials) {
     Plan plan(strokes, nearest_order(strokes, home), home, trials);
-    for (int round = 0; round < most_rounds; ++round) {
+    for (int round = 0; round < most_passes; ++round) {
         const bool turned = plan.turn_parts(), moved = plan.move_parts();
         if (!turned && !moved) break;
     }

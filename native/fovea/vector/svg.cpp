@@ -89,9 +89,9 @@ class Data {
     bool first_ = true, fresh_ = true;
 };
 
-class Writer {
+class SvgWriter {
    public:
-    explicit Writer(const Document& document) : document_(document) {}
+    explicit SvgWriter(const Document& document) : document_(document) {}
 
     std::string write() {
         head();
@@ -207,6 +207,6 @@ class Writer {
 
 }  // namespace
 
-std::string svg_bytes(const Document& document) { return Writer(document).write(); }
+std::string svg_bytes(const Document& document) { return SvgWriter(document).write(); }
 
 }  // namespace fovea::vector

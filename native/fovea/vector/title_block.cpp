@@ -14,8 +14,8 @@ namespace {
 // Lengths in millimeters.
 constexpr double most_width = 180.0, least_width = 110.0;
 constexpr double thick = 0.7, thin = 0.35;
-constexpr double usual = 2.5, large = 3.5;                // heights of letters
-constexpr double beside = 1.0, below = 1.5, above = 0.8;  // free around text in its cell
+constexpr double usual = 2.5, large = 3.5;                     // heights of letters
+constexpr double free_beside = 1.0, below = 1.5, above = 0.8;  // free around text in its cell
 
 /// A cell by the name of what it says; its share of the row's width.
 struct Column {
@@ -157,10 +157,10 @@ std::vector<Layer> title_block_layers(const Page& page, const Options& options, 
             block.paths.push_back(ruled(id + "-below", {cell.lower, {to.x, cell.lower.y}}, false, thin, ink));
         if (options.plotter) continue;
         const auto write = [&](const std::string& name, const std::string& text, double letters, double base) {
-            Caption caption = fitted(text, letters, cell.size.x - 2.0 * beside);
+            Caption caption = fitted(text, letters, cell.size.x - 2.0 * free_beside);
             caption.id = name;
             caption.color = ink;
-            caption.place = {cell.lower.x + beside, base};
+            caption.place = {cell.lower.x + free_beside, base};
             block.captions.push_back(std::move(caption));
         };
         write(id + "-label", cell.label, least_letters, upper.y - above - least_letters);

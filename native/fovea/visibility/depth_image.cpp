@@ -14,8 +14,6 @@
 namespace fovea::visibility {
 namespace {
 
-constexpr float infinity = std::numeric_limits<float>::infinity();
-
 /// Nearness of each texel: larger is nearer. For perspective views it is the depth, and 0 where there is nothing; for
 /// orthographic ones -distance, as depth, measured from the far plane, would lose precision near the camera. With
 /// hierarchical occlusion culling: triangles behind everything already drawn in a tile are skipped there. This pays off

@@ -9,8 +9,6 @@
 namespace fovea::visibility {
 namespace {
 
-constexpr std::size_t pieces_per_block = 256;
-
 /// Computes visibility along consecutive segments, with a cache of recent occluders.
 class Marcher {
    public:

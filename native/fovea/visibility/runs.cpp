@@ -8,8 +8,6 @@
 namespace fovea::visibility {
 namespace {
 
-constexpr std::size_t pieces_per_block = 256;
-
 /// Runs of one piece, between crossings of the threshold by the linear interpolant of the samples.
 void find_runs(const ClippedPaths& clipped, In<float> visibility, float threshold, Index piece, Runs& runs) {
     const Index begin = clipped.pieces.begin(piece), last = clipped.pieces.end(piece) - 1;

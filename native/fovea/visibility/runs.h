@@ -37,6 +37,9 @@ struct Runs {
 /// checked.
 void check_runs(const ClippedPaths& clipped, const Runs& runs);
 
+/// Of parallel loops whose elements take usual time.
+inline constexpr std::size_t runs_per_block = 256, pieces_per_block = 256;
+
 /// Concatenates the runs that add(runs, begin, end) appends for each block of `size` of `count` elements, in order.
 /// Parallel; the result does not depend on the number of threads.
 template <typename Add>

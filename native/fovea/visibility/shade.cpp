@@ -11,7 +11,7 @@
 namespace fovea::visibility {
 namespace {
 
-constexpr std::size_t runs_per_block = 32;
+constexpr std::size_t shaded_per_block = 32;
 /// Cuts one run where along.at(arc) changes.
 class Cutter {
    public:
@@ -112,7 +112,7 @@ ShadedRuns by_shade(const ClippedPaths& clipped, const Paths& paths, const Scene
     const dvec4 viewer = glm::inverse(view.world_to_view) * (view.orthographic ? dvec4(0, 0, 1, 0) : dvec4(0, 0, 0, 1));
     ShadedRuns all;
     for (const ShadedRuns& part : parallel_parts<ShadedRuns>(
-             runs.size(), runs_per_block, [&](ShadedRuns& out, std::size_t begin, std::size_t end) {
+             runs.size(), shaded_per_block, [&](ShadedRuns& out, std::size_t begin, std::size_t end) {
                  ShadeAlong along(clipped, paths, scene, shades, viewer);
                  Cutter cutter(clipped, along, gap_px, out);
                  for (std::size_t r = begin; r < end; ++r) {
