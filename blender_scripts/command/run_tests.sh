@@ -26,8 +26,9 @@ test_targets() {
 farm_packages="slurm-wlm munge nodejs" # of tests/long
 
 # Runs what takes longer than all other tests: on the suite with a fixed compiler and clang-tidy the tests of threads
-# under the thread sanitizer, runs that are killed in a loop, also by Slurm, and the lint of all C++ files, which counts as one test; on
-# both suites Blender's tests with the self-contained module; and what is built for Windows.
+# under the thread sanitizer, runs that are killed in a loop, also by Slurm, and the lint of all C++ files, which counts
+# as one test; on sid random inputs, which count as one, too; on both suites Blender's tests with the self-contained
+# module; and what is built for Windows.
 test_long() {
     [ $# -eq 0 ] || fail "test --long takes no other words, and not '$1'"
     [ -z "$on" ] || fail "test --long takes no --on: it runs on Debian trixie, and partly on sid"
@@ -40,6 +41,7 @@ test_long() {
         add_counts
     done
     test_windows
+    (use_suite sid && run_command fuzz --minutes 10) && passed=$((passed + 1)) || failed=$((failed + 1))
     (check_on trixie --tidy native tests/native) && passed=$((passed + 1)) || failed=$((failed + 1))
 }
 
@@ -68,10 +70,11 @@ test_suites() {
     done
     [ -n "$ready" ] || fail "neither suite could be set up"
     sanitize=yes # only on the first suite: native code under sanitizers is the same on all
+    parts_at_once=2 # of the first suite, which has more to do than the other
     for suite in $ready; do
-        (use_suite "$suite" && test_target "$sanitize" 1 "$@") &
+        (use_suite "$suite" && test_target "$sanitize" "$parts_at_once" "$@") &
         eval "child_$suite=$!"
-        sanitize=no
+        sanitize=no parts_at_once=1
     done
     for suite in $ready; do
         wait_for "$suite" || true

@@ -2,12 +2,11 @@
 """A scene whose render is known in closed form: a white sphere between two white boxes before a black sky, without
 shading. The camera looks along y at the sphere's center."""
 
-import os
-
 import addon_utils
 import bpy
 import numpy as np
 import pytest
+from long_tests import IS_LONG
 from pictures import drawn
 from the_addon import add_camera, box_mesh, empty_scene, new_object, only_lines, part, shader_material, use_style
 
@@ -27,7 +26,7 @@ def photograph(engine):
         pytest.skip("this Blender has no Cycles")
     if engine != "CYCLES" and part("render.gpu_context").gl_renderer() is None:
         pytest.skip("OpenGL is unusable here")
-    if engine == EEVEE and os.environ.get("FOVEA_LONG") != "1":
+    if engine == EEVEE and not IS_LONG:
         pytest.skip("EEVEE compiles its shaders for a minute on software OpenGL: fovea test --long does")
     white = shader_material("White", "ShaderNodeEmission")
     white.diffuse_color = white.node_tree.nodes["Emission"].inputs["Color"].default_value = (1, 1, 1, 1)

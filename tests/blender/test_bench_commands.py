@@ -10,6 +10,7 @@ from pathlib import Path
 
 import bpy
 import pytest
+from long_tests import takes_long
 from the_addon import part
 
 sys.path.insert(0, str(Path(__file__).parents[2] / "blender_scripts"))
@@ -44,6 +45,7 @@ def are_times(stages):
     return bool(stages) and all(0 <= ms < math.inf for ms in stages.values())
 
 
+@takes_long
 def test_bench_peers_tells_times_and_strokes_of_each_renderer(rows_of):
     """Without Freestyle, which compiles shaders for minutes."""
     rows = rows_of(peers, "--quick", "--repeats", "1")
@@ -73,6 +75,7 @@ def test_bench_visibility_tells_stages_and_errors_of_every_method(rows_of):
             assert row["disagree"] == row["flicker"] == 0
 
 
+@takes_long
 def test_bench_focus_tells_figures_of_every_part(rows_of):
     rows = rows_of(focus, "--quick", "--frames", "2", "--smoothed", "1")
     value = {row["figure"]: row["value"] for row in rows}
@@ -96,6 +99,7 @@ def test_bench_coherence_finds_dashes_that_hold_still_and_those_that_slide(capfd
     assert rows[0]["slide_p95_px"] < 0.02 and rows[1]["slide_median_px"] > 0.2
 
 
+@takes_long
 def test_bench_scale_tells_times_memory_and_stages_of_every_count(capfd):
     given = [("instances", 1000), ("objects", 100), ("picture", 160 * 90)]
     words = "--quick", "--size", "160x90", "--scenes", ",".join(["grid", *(f"{name}:{n}" for name, n in given)])
