@@ -27,14 +27,14 @@ farm_packages="slurm-wlm munge nodejs" # of tests/long
 
 # Runs what takes longer than all other tests: on the suite with a fixed compiler and clang-tidy the tests of threads
 # under the thread sanitizer, runs that are killed in a loop, also by Slurm, and the lint of all C++ files, which counts
-# as one test; on sid random inputs, which count as one, too; on both suites Blender's tests with the self-contained
-# module; and what is built for Windows.
+# as one test; on sid the native tests that take long with the other sanitizers, and random inputs, which count as one,
+# too; on both suites Blender's tests with the self-contained module; and what is built for Windows.
 test_long() {
     [ $# -eq 0 ] || fail "test --long takes no other words, and not '$1'"
     [ -z "$on" ] || fail "test --long takes no --on: it runs on Debian trixie, and partly on sid"
     use_suite sid || exit 1 # its Python's headers are needed
     make_modules linux-x64-cp313 linux-x64-cp314 || fail "the self-contained modules could not be built"
-    for run in "sid standalone" "trixie standalone" "trixie threads" "trixie kills"; do
+    for run in "sid long_sanitize" "sid standalone" "trixie standalone" "trixie threads" "trixie kills"; do
         use_suite "${run% *}" || exit 1
         [ "$run" != "trixie kills" ] || set_up_suite trixie $farm_packages || exit 1
         test_target no "$(getconf _NPROCESSORS_ONLN)" "${run#* }" || status=$?

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Runs all tests on one target: native, native under sanitizers, Python without Blender, inside Blender, those that use
 a GPU by Vulkan, too, in its window.
-The tests of threads, under the thread sanitizer, runs that are killed in a loop, and Blender's tests with the
-self-contained module run only when named."""
+Native tests that take long with sanitizers, those of threads under the thread sanitizer, runs that are killed in a
+loop, and Blender's tests with the self-contained module run only when named."""
 
 import dataclasses
 import os
@@ -93,7 +93,23 @@ def _native(target, report, _words):
 
 
 def _sanitize(target, report, _words):
-    return _shards("sanitize", build.build(target, "fovea_tests", sanitize=True), report)
+    return _sanitized(target, "sanitize", report, "-")
+
+
+def _long_sanitize(target, report, _words):
+    return _sanitized(target, "long_sanitize", report, "")
+
+
+def _sanitized(target, part, report, sign):
+    """sign: "-" leaves out the tests that take long with sanitizers, "" runs them alone."""
+    folder = build.build(target, "fovea_tests", sanitize=True)
+    return _shards(part, folder, report, f"--gtest_filter={sign}{':'.join(long_with_sanitizers())}")
+
+
+def long_with_sanitizers():
+    """Names of native tests, as GoogleTest has them."""
+    lines = (TESTS / "native" / "long_with_sanitizers.txt").read_text(encoding="utf-8").splitlines()
+    return [line for line in lines if not line.startswith("#")]
 
 
 def _threads(target, report, _words):
@@ -102,10 +118,10 @@ def _threads(target, report, _words):
     return [_shard("threads", folder, report, 1, 1, f"--gtest_filter={ABOUT_THREADS}")]
 
 
-def _shards(part, folder, report):
+def _shards(part, folder, report, *words):
     """GoogleTest shards, one per core, because most tests are single-threaded."""
     count = len(os.sched_getaffinity(0))
-    return [_shard(part, folder, report.with_stem(f"{report.stem}-{i}"), i, count) for i in range(1, count + 1)]
+    return [_shard(part, folder, report.with_stem(f"{report.stem}-{i}"), i, count, *words) for i in range(1, count + 1)]
 
 
 def _shard(part, folder, report, number, count, *words):
@@ -217,8 +233,10 @@ PARTS = {
     "window": _window,
     "core": _core,
     "sanitize": _sanitize,
+    "long_sanitize": _long_sanitize,
     "threads": _threads,
     "kills": _kills,
     "standalone": _standalone,
 }
-LONG = ("threads", "kills", "standalone")  # parts that run only when named, because they take longer than all others
+# Parts that run only when named, because they take longer than all others.
+LONG = ("long_sanitize", "threads", "kills", "standalone")

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """`fovea test --long`: what takes longer than all other tests runs only on demand."""
 
+import re
 import subprocess
 from pathlib import Path
 
@@ -10,6 +11,7 @@ from command.standalone import wine
 from command.target import StepFailed
 
 HERE = Path(test.__file__).parent
+NATIVE = Path(__file__).parents[1] / "native"
 
 # Arguments: the folder of the scripts, what tests of threads count, the status of clang-tidy, what --on says, words.
 SCRIPT = """
@@ -23,6 +25,7 @@ work_folder() { echo /none; }
 make_modules() { echo "modules $*"; }
 test_target() { echo "test $target_name $3"; }
 cp "$counted" "$counted.kept"
+run_command() { echo "command $*"; }
 run_child() { cp "$counted.kept" "$counted" && echo "run ${3##*/} $5"; }
 check_on() { echo "check $*"; return "$tidy"; }
 test_targets "$@"
@@ -43,13 +46,14 @@ def long(tmp_path):
     return run
 
 
-def test_threads_kills_self_contained_modules_windows_and_the_lint_of_all_sources_are_run_and_counted(long):
-    ran = ["modules linux-x64-cp313 linux-x64-cp314", "test sid standalone", "test trixie standalone"]
-    ran += ["test trixie threads", "set up trixie slurm-wlm munge nodejs", "test trixie kills", "run main.py --wine"]
+def test_all_that_takes_long_is_run_and_counted(long):
+    ran = ["modules linux-x64-cp313 linux-x64-cp314", "test sid long_sanitize", "test sid standalone"]
+    ran += ["test trixie standalone", "test trixie threads", "set up trixie slurm-wlm munge nodejs"]
+    ran += ["test trixie kills", "run main.py --wine", "command fuzz --minutes 10"]
     ran += ["check trixie --tidy native tests/native"]
-    assert long() == (0, [*ran, "26 passed, 0 failed, 0 skipped"], "")
-    assert long(tidy=1) == (1, [*ran, "25 passed, 1 failed, 0 skipped"], "")
-    assert long(counts="4 1 0") == (1, [*ran, "21 passed, 5 failed, 0 skipped"], "")
+    assert long() == (0, [*ran, "32 passed, 0 failed, 0 skipped"], "")
+    assert long(tidy=1) == (1, [*ran, "31 passed, 1 failed, 0 skipped"], "")
+    assert long(counts="4 1 0") == (1, [*ran, "26 passed, 6 failed, 0 skipped"], "")
 
 
 def test_what_is_built_for_windows_runs_alone_and_without_a_suite(long):
@@ -75,6 +79,15 @@ def test_a_run_of_all_parts_leaves_them_out(sanitize):
     parts, jobs, _ = test.parse(words)
     assert jobs == 2 and not set(test.LONG) & set(parts) and ("sanitize" in parts) == (sanitize == "yes")
     assert test.parse([*words, "threads"])[0] == ["threads"]
+
+
+def test_what_takes_long_with_sanitizers_is_a_test_that_is_there():
+    sources = "".join(file.read_text(encoding="utf-8") for file in NATIVE.glob("test_*.cpp"))
+    names = test.long_with_sanitizers()
+    assert len(names) > 20
+    for name in names:
+        suite, case = name.removeprefix("Registry/").split("/")[0].split(".")
+        assert re.search(rf"TEST(_P|_F)?\({suite}, {case}\)", sources), name
 
 
 def test_every_line_that_keeps_the_thread_sanitizer_quiet_has_its_reason():
