@@ -77,7 +77,6 @@ TEST(Focus, OfPixelsIsThatOfWhatTheyShow) {
     view.height = 2;
     view.orthographic = true;
     view.view_to_clip = dmat4(0.5, 0, 0, 0, 0, 1, 0, 0, 0, 0, -0.1, 0, 0, 0, -1, 1);  // 4 x 2 units
-    const float infinity = std::numeric_limits<float>::infinity();
     const float distance[] = {5, 5, 5, infinity, 9, 5, 5, 5};
     const Focus focus{FocusSpace::scene, {{{-1.5f, -0.5f, -5}, 0, 4}}};
     const Array<float> f = focus_of_pixels(view, distance, focus);

@@ -17,6 +17,7 @@ using namespace fovea::drawing;
 namespace {
 
 constexpr double as_the_set_says = std::numeric_limits<double>::quiet_NaN();
+
 Paths extract(const Scene& scene, const std::vector<LineSet>& sets, const OwnLines& own = {}) {
     const Tracer tracer(scene, corner_view);
     return extract_paths(scene, corner_view, sets, tracer, Cancel(), own);

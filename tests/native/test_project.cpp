@@ -184,9 +184,8 @@ TEST(Project, OrthographicIsPerspectiveFromFarAway) {
 }
 
 TEST(Project, PlacementsThatAreNoPlaceLeaveNothing) {
-    const double not_a_number = std::numeric_limits<double>::quiet_NaN(),
-                 infinity = std::numeric_limits<double>::infinity();
-    for (const double bad : {not_a_number, infinity, 1e300, 1e18, 1e17})
+    const double not_a_number = std::numeric_limits<double>::quiet_NaN();
+    for (const double bad : {not_a_number, double(infinity), 1e300, 1e18, 1e17})
         for (const dmat4& at :
              {drawing::moved({bad, 0, 0}), drawing::moved({0, 0, bad}), drawing::scaled({1, bad, 1}), dmat4(bad)}) {
             const ClippedPaths clipped = Wires({{{-1, 0, -3}, {1, 0.5, -3}}}, at).project(camera());

@@ -105,7 +105,6 @@ TEST(ZeroSet, NaNAndBrokenTrianglesGiveNoLine) {
     const CurveChains part = zero_set(*surface, [&](const vec3& p) { return p.y > 0 ? nan : p.x - 0.01f; });
     for (const vec3& p : part.point) EXPECT_TRUE(std::isfinite(p.x + p.y + p.z));
     // Margins and derivatives without bounds.
-    const float infinity = std::numeric_limits<float>::infinity();
     const auto x = [&](Index v) { return surface->positions[v].x - 0.01f; };
     const auto margin = [&](Index v) { return surface->positions[v].y > 0 ? infinity : -infinity; };
     const auto uphill = [&](Index v) { return vec3(x(v) > 0 ? -infinity : infinity, 0, 0); };

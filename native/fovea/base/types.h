@@ -39,7 +39,7 @@ inline dvec3 unit_or_zero(const dvec3& v) {
 using Index = std::uint32_t;
 inline constexpr Index none = 0xffffffffu;
 
-inline constexpr float infinity = std::numeric_limits<float>::infinity();
+inline constexpr float infinity = std::numeric_limits<float>::infinity();  ///< as a double, too
 
 /// Borrowed, read-only array; valid for the duration of a call.
 template <typename T>

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fovea/scene/four_planes.h>
 
-#include <limits>
-
 namespace fovea::scene {
 namespace {
 

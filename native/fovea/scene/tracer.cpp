@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include <fovea/base/check.h>
 #include <fovea/base/parallel.h>
