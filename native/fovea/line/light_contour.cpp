@@ -8,7 +8,7 @@
 
 #include <fovea/base/hash.h>
 #include <fovea/field/shape.h>
-#include <fovea/line/light_eye.h>
+#include <fovea/line/dark_parts.h>
 #include <fovea/line/look_at.h>
 #include <fovea/mesh/stretch.h>
 
@@ -28,29 +28,37 @@ const Parameters<LightContour> parameters{
 
 constexpr float seen_strength = 0.5f;  // smooth contours below it are hidden behind cusps
 
-/// Steps along a piece at which light is looked for, at most, and how often one is halved where that changes.
-constexpr int most_steps = 1024, halvings = 20;
+/// Steps along a piece at which light is looked for, at most, and to which share of it changes are found; where what is
+/// known to be dark ends, it is looked so often before that is halved.
+constexpr int most_steps = 1024, most_looks = 2;
+constexpr double shortest = 0x1p-20;
 
-/// Calls part(from, to) for the intervals of [0, 1] where is_lit(t).
-template <typename IsLit, typename Part>
-void each_lit_part(int steps, const IsLit& is_lit, const Part& part) {
-    const auto change = [&](double lit, double dark) {
-        for (int i = 0; i < halvings; ++i) {
-            const double middle = 0.5 * (lit + dark);
-            (is_lit(middle) ? lit : dark) = middle;
+/// Calls part(from, to) for the intervals of [0, 1] that are lit. dark_at(t): a dark interval around t, or at t alone;
+/// empty where it is lit.
+template <typename DarkAt, typename Part>
+void each_lit_part(int steps, const DarkAt& dark_at, const Part& part) {
+    const auto change = [&](double lit, double dark, Interval known) {
+        const double way = lit < dark ? -1.0 : 1.0;
+        for (int looks = most_looks;; --looks) {
+            dark = way < 0.0 ? std::clamp(known.begin, lit, dark) : std::clamp(known.end, dark, lit);
+            if (std::abs(lit - dark) <= shortest) return lit;
+            const double t = looks > 0 ? dark + 0.5 * way * shortest : 0.5 * (lit + dark);
+            if (const Interval at = dark_at(t); !at.is_empty())
+                dark = t, known = at;
+            else
+                lit = t, known = {dark, dark};
         }
-        return lit;
     };
     double from = 0.0;
-    bool was_lit = is_lit(0.0);
+    Interval was = dark_at(0.0);
     for (int i = 1; i <= steps; ++i) {
         const double before = double(i - 1) / steps, here = double(i) / steps;
-        const bool lit = is_lit(here);
-        if (lit && !was_lit) from = change(here, before);
-        if (!lit && was_lit) part(from, change(before, here));
-        was_lit = lit;
+        const Interval dark = dark_at(here);
+        if (dark.is_empty() && !was.is_empty()) from = change(here, before, was);
+        if (!dark.is_empty() && was.is_empty()) part(from, change(before, here, dark));
+        was = dark;
     }
-    if (was_lit) part(from, 1.0);
+    if (was.is_empty()) part(from, 1.0);
 }
 
 /// Contours across the triangles of a smooth surface, in object space.
@@ -102,21 +110,30 @@ Curves in_light(const LightEye& eye, const Curves& pieces, Index placement, bool
     const Surface& surface = *scene.placements[placement].surface;
     const dmat4 to_light = eye.from_object(placement);
     return parallel_collect<CurvePiece>(pieces.size(), 64, [&](std::size_t begin, std::size_t end, auto& out) {
+        DarkParts dark(eye);
         for (const CurvePiece& piece : In<CurvePiece>(pieces).subspan(begin, end - begin)) {
             const Index other_facet = scene.facet_base[placement] + surface.triangle_facet[piece.other],
                         place = surface.place_of_triangle(piece.triangle);
             const Ignore ignore = eye.tracer.ignore_at(placement, place, is_smooth ? none : other_facet, is_smooth);
             const dvec3 a(to_light * dvec4(dvec3(piece.point[0]), 1.0)),
                 b(to_light * dvec4(dvec3(piece.point[1]), 1.0));
-            const auto is_lit = [&](double t) {
+            const dvec3 above = is_smooth ? dvec3(ignore.above) : dvec3(0.0);
+            dark.next_segment(a + above, b + above, ignore);
+            const auto dark_at = [&](double t) -> Interval {
+                if (const Interval known = dark.known(t); !known.is_empty()) return known;
                 const dvec3 point = glm::mix(a, b, t);
-                if (!is_smooth) return eye.pass(point, ignore).lit;
-                return eye.shines_at(point) && !eye.tracer.occluder(vec3(point) + ignore.above, ignore);
+                if (!eye.shines_at(point)) return {t, t};
+                if (is_smooth) {
+                    const auto by = eye.tracer.occluder(vec3(point) + ignore.above, ignore);
+                    return by ? dark.hidden_by(*by, t) : Interval{};
+                }
+                const LightEye::Passing way = eye.pass(point, ignore);
+                return way.lit ? Interval{} : way.hidden ? dark.hidden_by(*way.hidden, t) : Interval{t, t};
             };
             const double steps = std::ceil(glm::distance(a, b) / eye.step);
             if (!std::isfinite(steps)) continue;
             Index number = 0;
-            each_lit_part(int(std::clamp(steps, 1.0, double(most_steps))), is_lit, [&](double from, double to) {
+            each_lit_part(int(std::clamp(steps, 1.0, double(most_steps))), dark_at, [&](double from, double to) {
                 CurvePiece part = piece;
                 for (const int i : {0, 1}) {
                     const double t = i ? to : from;

@@ -32,14 +32,14 @@ bool LightEye::is_one_body(const Hit& hit, const Ignore& ignore) const {
 LightEye::Passing LightEye::pass(const dvec3& point, const Ignore& ignore) const {
     if (!shines_at(point)) return {};
     const std::optional<Hit> hit = tracer.along(point, ignore);
-    if (!hit) return {true};
+    if (!hit) return {.lit = true};
     const bool of_sun = tracer.view().orthographic;
     const double distance = of_sun ? -point.z : glm::length(point);
     const double margin = 2.0 * scene::ray_margin * std::min(distance, radius) / distance;
-    if (hit->t > 1.0 + margin) return {true, hit};
+    if (hit->t > 1.0 + margin) return {.lit = true, .hit = hit};
     // Where a body stands on another, its edges are the outline of what it hides; it casts nothing there.
-    if (hit->t < 1.0 - margin || !is_one_body(*hit, ignore)) return {};
-    return {true, tracer.along(point, ignore, 1.0 + margin)};
+    if (hit->t < 1.0 - margin || !is_one_body(*hit, ignore)) return {.hidden = hit};
+    return {.lit = true, .hit = tracer.along(point, ignore, 1.0 + margin)};
 }
 
 Array<Index> outline_edges(const SurfaceView& seen) {

@@ -24,8 +24,9 @@ class LightEye {
     }
     /// What a ray of light does that passes a point of an outline or a contour.
     struct Passing {
-        bool lit = false;             ///< it reaches the point; nothing else touches there
-        std::optional<Hit> hit = {};  ///< if it does: what it meets behind
+        bool lit = false;                ///< it reaches the point; nothing else touches there
+        std::optional<Hit> hit = {};     ///< if it does: what it meets behind
+        std::optional<Hit> hidden = {};  ///< if it does not: what it meets before or there; nothing outside of its cone
     };
     Passing pass(const dvec3& point, const Ignore& ignore) const;
     /// Whether the light shines in the direction of a point, and that is not cut away by the section plane.

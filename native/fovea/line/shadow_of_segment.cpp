@@ -10,20 +10,28 @@ namespace {
 constexpr double most_steps = 1024;
 /// Shares of the scene's radius: the shortest step, and the gap up to which a shadow goes on over one surface.
 constexpr double finest = 0x1p-20, nearest = 0x1p-14;
+/// How often it is looked where what was met ends, before steps are halved: there may be many small triangles.
+constexpr int most_looks = 8;
 
 class Shadow {
    public:
-    Shadow(const LightEye& eye, const CastingSegment& segment, Array<ShadowPiece>& out)
-        : eye_(eye), segment_(segment), out_(out), length_(glm::distance(segment.from, segment.to)) {}
+    Shadow(const LightEye& eye, DarkParts& dark, const CastingSegment& segment, Array<ShadowPiece>& out)
+        : eye_(eye),
+          dark_(dark),
+          segment_(segment),
+          out_(out),
+          length_(glm::distance(segment.from, segment.to)),
+          shortest_(finest * eye.radius / length_) {}
 
     void trace() {
         const double wanted = length_ / eye_.step;
-        if (!std::isfinite(wanted)) return;
+        if (!std::isfinite(wanted) || !std::isfinite(shortest_)) return;
+        dark_.next_segment(segment_.from, segment_.to, segment_.ignore);
         const int steps = static_cast<int>(std::clamp(std::ceil(wanted), 1.0, most_steps));
         At before = at(0.0);
         for (int i = 1; i <= steps; ++i) {
             const At next = at(double(i) / steps);
-            trace(before, next);
+            trace(before, next, most_looks);
             before = next;
         }
     }
@@ -34,13 +42,17 @@ class Shadow {
         double t;
         Index placement = none, triangle = none;
         dvec3 point{0.0};
+        Interval dark = {};  // a part around t that is known to be dark
 
         bool falls() const { return placement != none; }
     };
 
-    At at(double t) const {
+    At at(double t) {
+        if (const Interval dark = dark_.known(t); !dark.is_empty()) return {.t = t, .dark = dark};
         const dvec3 passed = t == 1.0 ? segment_.to : glm::mix(segment_.from, segment_.to, t);
-        const auto hit = eye_.pass(passed, segment_.ignore).hit;
+        const LightEye::Passing way = eye_.pass(passed, segment_.ignore);
+        if (way.hidden) return {.t = t, .dark = dark_.hidden_by(*way.hidden, t)};
+        const auto& hit = way.hit;
         if (!hit) return {t};
         const dvec3 point = eye_.on_ray(passed, hit->t);
         if (!std::isfinite(point.x + point.y + point.z)) return {t};
@@ -50,27 +62,78 @@ class Shadow {
 
     const Surface& surface(Index placement) const { return *eye_.tracer.scene().placements[placement].surface; }
     Index facet(Index placement, Index triangle) const { return surface(placement).triangle_facet[triangle]; }
-    bool on_one_facet(const At& a, const At& b) const {
-        return facet(a.placement, a.triangle) == facet(b.placement, b.triangle);
+
+    /// Appends the shadow between two places if it is on one facet, or on two whose triangles share a side.
+    bool join(const At& a, const At& b) {
+        if (!a.falls() || a.placement != b.placement) return false;
+        if (facet(a.placement, a.triangle) == facet(b.placement, b.triangle)) {
+            append(a, a.point, b.point, a.t, b.t);
+            return true;
+        }
+        dvec3 crossing;
+        if (!cross(a, b, crossing)) return false;
+        append(a, a.point, crossing, a.t, -1.0);
+        append(b, crossing, b.point, -1.0, b.t);
+        return true;
     }
 
-    void trace(const At& a, const At& b) {
-        if (!a.falls() && !b.falls()) return;
-        const bool one_surface = a.falls() && a.placement == b.placement;
-        if (one_surface && on_one_facet(a, b)) return append(a, a.point, b.point, a.t, b.t);
-        if (dvec3 crossing; one_surface && cross(a, b, crossing)) {
-            append(a, a.point, crossing, a.t, -1.0);
-            return append(b, crossing, b.point, -1.0, b.t);
+    /// `looks`: how often to look where something ends.
+    void trace(At a, At b, int looks) {
+        if ((!a.falls() && !b.falls()) || join(a, b)) return;
+        if (!a.falls()) a.t = std::clamp(a.dark.end, a.t, b.t);
+        if (!b.falls()) b.t = std::clamp(b.dark.begin, a.t, b.t);
+        if (b.t - a.t <= shortest_) {
+            if (a.falls() && a.placement == b.placement && glm::distance(a.point, b.point) <= nearest * eye_.radius)
+                append(a, a.point, b.point, a.t, b.t);
+            else
+                open_ = false;
+            return;
         }
-        if ((b.t - a.t) * length_ > finest * eye_.radius) {
-            const At middle = at(0.5 * (a.t + b.t));
-            trace(a, middle);
-            return trace(middle, b);
+        if (looks > 0 && look_at_end(a, b, looks - 1)) return;
+        const At middle = at(0.5 * (a.t + b.t));
+        trace(a, middle, looks - 1);
+        trace(middle, b, looks - 1);
+    }
+
+    /// As trace(a, b), beginning right beside where what was met at one of them ends; false if that is not between.
+    bool look_at_end(const At& a, const At& b, int looks) {
+        const double aside = 0.25 * shortest_;
+        const auto inside = [&](double t) { return a.t < t - aside && t + aside < b.t; };
+        // What is dark ends right there.
+        if (const bool first = !a.falls() && !a.dark.is_empty(); first || (!b.falls() && !b.dark.is_empty())) {
+            const At beside = at(first ? a.t + aside : b.t - aside);
+            trace(a, beside, first ? 0 : looks);
+            trace(beside, b, first ? looks : 0);
+            return true;
         }
-        if (one_surface && glm::distance(a.point, b.point) <= nearest * eye_.radius)
-            append(a, a.point, b.point, a.t, b.t);
-        else
-            open_ = false;
+        // The shadow leaves the triangles that it falls on.
+        const double end = a.falls() ? covered_by(a).end : infinity, begin = b.falls() ? covered_by(b).begin : infinity;
+        if (inside(end)) {
+            const At beyond = at(end + aside);
+            if (!join(a, beyond)) {
+                const At within = at(end - aside);
+                trace(a, within, 0);
+                trace(within, beyond, 0);
+            }
+            trace(beyond, b, looks);
+            return true;
+        }
+        if (!inside(begin)) return false;
+        const At beyond = at(begin - aside);
+        trace(a, beyond, looks);
+        if (!join(beyond, b)) {
+            const At within = at(begin + aside);
+            trace(beyond, within, 0);
+            trace(within, b, 0);
+        }
+        return true;
+    }
+
+    /// The part of the segment whose rays pass the triangles that its shadow falls on at a place.
+    Interval covered_by(const At& place) const {
+        const Occluding by(eye_.tracer, {.placement = place.placement, .triangle = place.triangle, .t = 1.0});
+        const Interval part = by.covers(segment_.from, segment_.to);
+        return part.is_empty() ? Interval{place.t, place.t} : part;
     }
 
     /// Where the shadow between two points crosses the side that their triangles share.
@@ -116,16 +179,17 @@ class Shadow {
     }
 
     const LightEye& eye_;
+    DarkParts& dark_;
     const CastingSegment& segment_;
     Array<ShadowPiece>& out_;
-    const double length_;
+    const double length_, shortest_;  // of the segment; the shortest step, in shares of it
     bool open_ = false;  // the last piece ends where the next part of the segment begins
 };
 
 }  // namespace
 
-void append_shadow(const LightEye& eye, const CastingSegment& segment, Array<ShadowPiece>& out) {
-    Shadow(eye, segment, out).trace();
+void ShadowsOfSegments::append(const CastingSegment& segment, Array<ShadowPiece>& out) {
+    Shadow(eye_, dark_, segment, out).trace();
 }
 
 }  // namespace fovea::line

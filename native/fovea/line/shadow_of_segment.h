@@ -2,7 +2,7 @@
 // The shadow of a straight segment, as of an edge: where rays of light that pass it meet surfaces.
 #pragma once
 
-#include <fovea/line/light_eye.h>
+#include <fovea/line/dark_parts.h>
 
 namespace fovea::line {
 
@@ -21,9 +21,21 @@ struct ShadowPiece {
     bool starts = false, ends = false;  ///< its ends are shadows of the segment's ends
 };
 
-/// Appends the shadow of the lit parts of a segment, in their order. It is followed by rays at the eye's steps; where
-/// two neighboring rays meet different facets, by bisection: to the edge between two triangles, or to 2^-20 of the
-/// scene's radius, where it ends, as it falls over an edge or the segment is hidden from the light.
-void append_shadow(const LightEye& eye, const CastingSegment& segment, Array<ShadowPiece>& out);
+/// Shadows of segments that a light sees one after the other, best of neighbors: what hides one mostly hides the next.
+class ShadowsOfSegments {
+   public:
+    /// The eye must outlive it.
+    explicit ShadowsOfSegments(const LightEye& eye) : eye_(eye), dark_(eye) {}
+
+    /// Appends the shadow of the lit parts of a segment, in their order. It is followed by rays at the eye's steps,
+    /// where it is not known to be dark; where two neighboring rays meet different facets, to the edge between two
+    /// triangles, or to 2^-20 of the scene's radius, where it ends, as it falls over an edge or the segment is hidden
+    /// from the light: there first where what a ray has met ends, then by bisection.
+    void append(const CastingSegment& segment, Array<ShadowPiece>& out);
+
+   private:
+    const LightEye& eye_;
+    DarkParts dark_;
+};
 
 }  // namespace fovea::line

@@ -29,7 +29,7 @@ struct Projected {
     std::vector<double> before;         // per point: distance before the section plane; empty: it cuts nothing
     std::vector<std::uint8_t> outside;  // per point: a bit per clip plane that it is outside of; the last: the section
     std::uint8_t outside_all = 0, outside_any = 0;
-    std::vector<ClipRange> has_pixels;  // per segment: the part in front of the near plane, and not beyond most_frames
+    std::vector<Interval> has_pixels;   // per segment: the part in front of the near plane, and not beyond most_frames
     std::vector<double> length;         // per segment, in space
     std::vector<double> arc_px;         // per point: pixels of path before it
     double middle_px = 0.0;
@@ -170,7 +170,7 @@ class Projector {
         bool middle_found = false;
         for (std::size_t i = 0; i < segments; ++i) {
             p_.arc_px[i] = px;
-            ClipRange range;
+            Interval range = whole_segment;
             if (p_.outside_any)
                 range = clip_segment(p_.view[i], p_.view[i + 1], p_.clip[i], p_.clip[i + 1], view_, most_frames);
             p_.has_pixels[i] = range;
@@ -208,7 +208,7 @@ class Projector {
 
     /// Arc length [px] at a position.
     double arc_at(std::size_t segment, double t) const {
-        const ClipRange& range = p_.has_pixels[segment];
+        const Interval& range = p_.has_pixels[segment];
         if (t <= range.begin) return p_.arc_px[segment];
         if (t >= range.end) return p_.arc_px[segment + 1];
         return std::min(p_.arc_px[segment] + pixel_length(segment, range.begin, t), p_.arc_px[segment + 1]);
@@ -232,7 +232,7 @@ class Projector {
         const double longest = 2.0 * glm::length(around_frame());
         stops_.clear();
         for (Index i = 0; i < segments; ++i) {
-            ClipRange range;
+            Interval range = whole_segment;
             if (p_.outside[i] | p_.outside[i + 1])
                 range = clip_segment(p_.view[i], p_.view[i + 1], p_.clip[i], p_.clip[i + 1], view_, options_.margin);
             if (!p_.before.empty()) clip_plane(-p_.before[i], -p_.before[i + 1], range);

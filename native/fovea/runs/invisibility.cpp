@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include <fovea/visibility/exact.h>
-#include <fovea/visibility/shadow.h>
+#include <fovea/visibility/segment.h>
 
 namespace fovea::runs {
 namespace {
@@ -84,11 +84,11 @@ class Splitter {
 
     Interval interval_of(const Enough& enough) const {
         if (enough.empty()) return {};
-        Interval common{0.0, 1.0};
+        Interval common = whole_segment;
         for (const Occluding& surface : enough) {
-            const Interval interval = surface.hides(tracer_, segment_);
+            const Interval interval = hidden_by(surface, tracer_, segment_);
             common = {std::max(common.begin, interval.begin), std::min(common.end, interval.end)};
-            if (common.begin > common.end) return {};
+            if (common.is_empty()) return {};
         }
         return common;
     }

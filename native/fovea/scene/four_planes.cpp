@@ -43,12 +43,12 @@ struct Volumes {
 };
 
 /// What a triangle cuts from the plane of another one, measured along a direction.
-struct Interval {
+struct CutSpan {
     Four low = four(infinity), high = four(-infinity);
 
     /// `volumes`: of its corners over the other triangle. `at`: places of the corners along the direction. `common`:
     /// which corners the other triangle has, too; their sides are left out.
-    Interval(const Volumes& volumes, const Four (&at)[3], const FourInts (&common)[3]) {
+    CutSpan(const Volumes& volumes, const Four (&at)[3], const FourInts (&common)[3]) {
         const Four& room = volumes.room;
         for (int i = 0; i < 3; ++i) {
             const int j = (i + 1) % 3;
@@ -113,7 +113,7 @@ unsigned FourPlanes::may_cross(unsigned lanes, const FourTriangles& others, int 
     const Vectors line = cross(normal_, normal);
     const Four at_other[3] = {four(0.0f), dot(line, first), dot(line, second)};
     const Four at_ours[3] = {dot(line, offset[0]), dot(line, offset[1]), dot(line, offset[2])};
-    const Interval cut_of_other(over_ours, at_other, of_others), cut_of_ours(over_other, at_ours, of_ours);
+    const CutSpan cut_of_other(over_ours, at_other, of_others), cut_of_ours(over_other, at_ours, of_ours);
     const Four sum = size_of(line.x[0]) + size_of(line.x[1]) + size_of(line.x[2]);
     const Four room = sum * (0x1p-19f * greater(longest, over_other.farthest) + 4.0f * error_) + smallest;
     const FourInts finite = (room < greatest) & (over_ours.room < greatest) & (over_other.room < greatest);

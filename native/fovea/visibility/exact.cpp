@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include <fovea/visibility/crowds.h>
-#include <fovea/visibility/shadow.h>
+#include <fovea/visibility/segment.h>
 
 namespace fovea::visibility {
 namespace {
@@ -28,7 +28,7 @@ class Marcher {
                 continue;
             }
             const Interval by = hidden_at(s);
-            if (by.begin > by.end) {
+            if (by.is_empty()) {
                 if (was_hidden) hidden.back().end = narrow(hidden.back().end, s, 1.0, tolerance);
                 was_hidden = false;
                 seen = s;
@@ -50,7 +50,7 @@ class Marcher {
    private:
     /// The interval around s that one triangle hides; empty where s is visible.
     Interval hidden_at(double s) {
-        const auto hides = [&](const Occluding& by) { return by.hides(tracer_, *segment_); };
+        const auto hides = [&](const Occluding& by) { return hidden_by(by, tracer_, *segment_); };
         if (const Interval* interval = known_.around(s, hides)) return *interval;
         const auto hit = tracer_.occluder(vec3(segment_->at(s)), segment_->ignore);
         if (!hit) return {};
@@ -68,7 +68,7 @@ class Marcher {
         for (int steps = 0; (visible - hidden) * way > tolerance && steps < 24; ++steps) {
             const double s = steps < 6 ? hidden + way * tolerance : 0.5 * (hidden + visible);
             const Interval by = hidden_at(s);
-            if (by.begin > by.end)
+            if (by.is_empty())
                 visible = s;
             else
                 hidden = way < 0.0 ? std::min(s, by.begin) : std::max(s, by.end);

@@ -26,6 +26,11 @@ Segment segment_at(const ClippedPaths& clipped, const Paths& paths, const Tracer
     return s;
 }
 
+Interval hidden_by(const Occluding& by, const Tracer& tracer, const Segment& segment) {
+    const Interval part = by.hides(tracer, segment.a, segment.b, segment.ignore);
+    return part.is_empty() ? part : Interval{segment.to_screen(part.begin), segment.to_screen(part.end)};
+}
+
 void check_same_paths(const ClippedPaths& clipped, const Paths& paths, const char* what) {
     check(clipped.path.empty() || (clipped.path.back() < paths.count() && clipped.source.back() < paths.place.size()),
           std::string(what) + ": these are not the paths that were clipped");

@@ -5,7 +5,7 @@
 #include <fovea/base/view.h>
 #include <fovea/path/paths.h>
 #include <fovea/project/clipped_paths.h>
-#include <fovea/scene/tracer.h>
+#include <fovea/scene/shadow_volume.h>
 
 namespace fovea::visibility {
 
@@ -24,6 +24,9 @@ struct Segment {
 /// The segment of `piece` that starts at point i of the clipped paths; `paths` are those that were clipped. Throws
 /// std::invalid_argument where they are not of the tracer's scene.
 Segment segment_at(const ClippedPaths& clipped, const Paths& paths, const Tracer& tracer, Index piece, Index i);
+
+/// The part of a segment that is certain to be hidden, in screen fractions.
+Interval hidden_by(const Occluding& by, const Tracer& tracer, const Segment& segment);
 
 /// Throws std::invalid_argument where `clipped` cannot come from `paths`; `what` names the caller.
 void check_same_paths(const ClippedPaths& clipped, const Paths& paths, const char* what);

@@ -2,39 +2,37 @@
 // Shadow volumes: the space that a polygon, or the triangle that a ray hit, hides from the eye.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <numeric>
 #include <optional>
 
-#include <fovea/visibility/segment.h>
+#include <fovea/base/interval.h>
+#include <fovea/scene/tracer.h>
 
-namespace fovea::visibility {
-
-/// Interval of a segment's parameter; empty when begin > end.
-struct Interval {
-    double begin = 1.0, end = 0.0;
-    bool holds(double t) const { return begin <= t && t <= end; }
-};
+namespace fovea::scene {
 
 /// The shadow volume of a flat convex polygon of three to five corners, with the eye as the light: bounded by the
-/// planes through the eye (view-space origin; along z for an orthographic camera) and the polygon's sides, and by the
+/// planes through the eye (view-space origin; along z for an orthographic view) and the polygon's sides, and by the
 /// polygon's own plane. Convex, so its intersection with a segment is one interval.
-class Shadow {
+class ShadowVolume {
    public:
-    Shadow() = default;
+    ShadowVolume() = default;
     /// Corners in view space. `margin`: how far a point must lie behind the polygon to be hidden, as a fraction of the
     /// distance.
-    Shadow(In<dvec3> corners, bool orthographic, double near_clip, double margin);
+    ShadowVolume(In<dvec3> corners, const View& view, double margin);
 
     /// False when the polygon is seen edge-on or reaches in front of the near plane: then nothing is certain to be
     /// hidden.
     bool usable() const { return usable_; }
 
     /// Part of the segment from a to b that is hidden, as fractions of its length in space.
-    Interval hides(const dvec3& a, const dvec3& b) const;
+    Interval hides(const dvec3& a, const dvec3& b) const { return inside(a, b, 0); }
+    /// Part of it that is before or behind the polygon.
+    Interval covers(const dvec3& a, const dvec3& b) const { return inside(a, b, 1); }
 
    private:
+    Interval inside(const dvec3& a, const dvec3& b, int first_plane) const;
+
     dvec4 planes_[6];  // positive inside; the polygon's own plane first
     int count_ = 0;
     bool usable_ = false;
@@ -44,14 +42,17 @@ class Shadow {
 class Occluding {
    public:
     Occluding() = default;
-    Occluding(const Tracer& tracer, const Hit& hit);
+    /// `margin`: of the shadow volume; at least that of the rays that the answers shall agree with.
+    Occluding(const Tracer& tracer, const Hit& hit, double margin = ray_margin);
 
-    /// The part of a segment that is certain to be hidden, in screen fractions; empty if the segment ignores this
-    /// surface.
-    Interval hides(const Tracer& tracer, const Segment& segment) const;
+    /// The part of the segment from a to b (view space) that is certain to be hidden, as fractions of its length in
+    /// space; empty if what rays along it ignore is of this surface.
+    Interval hides(const Tracer& tracer, const dvec3& a, const dvec3& b, const Ignore& ignore) const;
+    /// The part whose rays pass the outline.
+    Interval covers(const dvec3& a, const dvec3& b) const { return volume_.covers(a, b); }
 
    private:
-    Shadow shadow_;
+    ShadowVolume volume_;
     Index placement_ = none, triangle_ = none, other_ = none;
 };
 
@@ -96,4 +97,4 @@ class Remembered {
     std::array<std::size_t, count> order_;  // search order: indices into entries_, those with recent hits first
 };
 
-}  // namespace fovea::visibility
+}  // namespace fovea::scene

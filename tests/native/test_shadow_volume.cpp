@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <random>
 
-#include <fovea/visibility/shadow.h>
+#include <fovea/scene/shadow_volume.h>
 
 using namespace fovea;
 using namespace fovea::draw;
@@ -22,9 +22,16 @@ bool hidden(const dvec3 corners[3], bool orthographic, const dvec3& p, double ma
     return u >= 0 && v >= 0 && u + v <= 1 && t > 0 && t < 1.0 - margin;
 }
 
+View seen(bool orthographic, double near_clip) {
+    View view;
+    view.orthographic = orthographic;
+    view.near_clip = near_clip;
+    return view;
+}
+
 }  // namespace
 
-TEST(Shadow, IsWhereTheTriangleHides) {
+TEST(ShadowVolume, IsWhereTheTriangleHides) {
     std::mt19937 random(17);
     std::uniform_real_distribution<double> side(-2, 2), deep(-8, -1);
     const auto any = [&] { return dvec3(side(random), side(random), deep(random)); };
@@ -32,7 +39,7 @@ TEST(Shadow, IsWhereTheTriangleHides) {
     for (int k = 0; k < 4000; ++k) {
         const bool orthographic = k % 2;
         const dvec3 corners[3] = {any(), any(), any()};
-        const Shadow shadow(corners, orthographic, 0.5, 1e-9);
+        const ShadowVolume shadow(corners, seen(orthographic, 0.5), 1e-9);
         ASSERT_TRUE(shadow.usable());
         const dvec3 a = any(), b = any();
         const Interval found = shadow.hides(a, b);
@@ -49,7 +56,7 @@ TEST(Shadow, IsWhereTheTriangleHides) {
     EXPECT_GT(segments, 200);
 }
 
-TEST(Shadow, OfAQuadrilateralIsThatOfItsHalves) {
+TEST(ShadowVolume, OfAQuadrilateralIsThatOfItsHalves) {
     std::mt19937 random(18);
     std::uniform_real_distribution<double> side(-2, 2), deep(-8, -1), corner(0.2, 1.0);
     const auto any = [&] { return dvec3(side(random), side(random), deep(random)); };
@@ -61,7 +68,7 @@ TEST(Shadow, OfAQuadrilateralIsThatOfItsHalves) {
         const dvec3 quad[4] = {middle + corner(random) * u, middle + corner(random) * v, middle - corner(random) * u,
                                middle - corner(random) * v};
         const dvec3 halves[2][3] = {{quad[0], quad[1], quad[2]}, {quad[0], quad[2], quad[3]}};
-        const Shadow whole(quad, orthographic, 0.5, 1e-9);
+        const ShadowVolume whole(quad, seen(orthographic, 0.5), 1e-9);
         ASSERT_TRUE(whole.usable());
         const dvec3 a = any(), b = any();
         const Interval found = whole.hides(a, b);
@@ -78,10 +85,10 @@ TEST(Shadow, OfAQuadrilateralIsThatOfItsHalves) {
     EXPECT_GT(segments, 100);
 }
 
-TEST(Shadow, BeginsBehindTheTriangleByTheMargin) {
+TEST(ShadowVolume, BeginsBehindTheTriangleByTheMargin) {
     const dvec3 corners[3] = {{-1, -1, -4}, {3, -1, -4}, {-1, 3, -4}};
     for (const bool orthographic : {false, true}) {
-        const Shadow shadow(corners, orthographic, 0.1, 1e-2);
+        const ShadowVolume shadow(corners, seen(orthographic, 0.1), 1e-2);
         // Straight away from the viewer through the triangle.
         const dvec3 a = orthographic ? dvec3(0, 0, -3) : dvec3(0.3, 0.3, -3),
                     b = orthographic ? dvec3(0, 0, -5) : a * 5.0 / 3.0;
@@ -91,11 +98,11 @@ TEST(Shadow, BeginsBehindTheTriangleByTheMargin) {
     }
 }
 
-TEST(Shadow, SaysNothingOfTrianglesAtTheNearPlaneOrEdgeOn) {
+TEST(ShadowVolume, SaysNothingOfTrianglesAtTheNearPlaneOrEdgeOn) {
     const dvec3 a(-1, -1, -2), b(1, -1, -2), c(0, 1, -2);
     const auto usable = [](dvec3 p, dvec3 q, dvec3 r, bool orthographic) {
         const dvec3 corners[3] = {p, q, r};
-        const Shadow shadow(corners, orthographic, 0.5, 1e-5);
+        const ShadowVolume shadow(corners, seen(orthographic, 0.5), 1e-5);
         const Interval found = shadow.hides({-3, -0.5, -3}, {3, -0.5, -3});
         EXPECT_EQ(shadow.usable(), found.begin <= found.end);
         return shadow.usable();
@@ -107,6 +114,38 @@ TEST(Shadow, SaysNothingOfTrianglesAtTheNearPlaneOrEdgeOn) {
         EXPECT_FALSE(usable(a, a, c, orthographic)) << "no triangle";
         EXPECT_FALSE(usable({0, -1, -2}, {0, 1, -2}, {0, 1, -4}, orthographic)) << "seen edge on";
     }
-    EXPECT_FALSE(Shadow().usable());
-    EXPECT_GT(Shadow().hides(a, b).begin, Shadow().hides(a, b).end);
+    EXPECT_FALSE(ShadowVolume().usable());
+    EXPECT_TRUE(ShadowVolume().hides(a, b).is_empty());
+}
+
+TEST(ShadowVolume, OfALightIsAllAroundIt) {
+    std::mt19937 random(19);
+    std::uniform_real_distribution<double> side(-3, 3);
+    const auto any = [&] { return dvec3(side(random), side(random), side(random)); };
+    int inside = 0, outside = 0;
+    for (int k = 0; k < 4000; ++k) {
+        const dvec3 corners[3] = {any(), any(), any()}, a = any(), b = any();
+        const Interval found = ShadowVolume(corners, seen(false, 0.0), 1e-9).hides(a, b);
+        for (int i = 0; i <= 40; ++i) {
+            const double t = i / 40.0;
+            if (std::min(std::abs(t - found.begin), std::abs(t - found.end)) < 1e-6) continue;
+            EXPECT_EQ(found.holds(t), hidden(corners, false, glm::mix(a, b, t), 1e-9)) << k << " at " << t;
+            ++(found.holds(t) ? inside : outside);
+        }
+    }
+    EXPECT_GT(inside, 500);
+    EXPECT_GT(outside, 1000);
+}
+
+TEST(ShadowVolume, CoversWhatIsBeforeThePolygonToo) {
+    const dvec3 corners[3] = {{-1, -1, -4}, {3, -1, -4}, {-1, 3, -4}};
+    for (const bool orthographic : {false, true}) {
+        const ShadowVolume shadow(corners, seen(orthographic, 0.1), 1e-9);
+        const dvec3 a(-2, 0, -2), b(2, 0, -2);
+        EXPECT_TRUE(shadow.hides(a, b).is_empty());
+        const Interval covered = shadow.covers(a, b);
+        // Between the left side, and the slanted one where y is 0.
+        EXPECT_NEAR(-2 + 4 * covered.begin, orthographic ? -1.0 : -0.5, 1e-9);
+        EXPECT_NEAR(-2 + 4 * covered.end, orthographic ? 2.0 : 1.0, 1e-9);
+    }
 }
