@@ -71,16 +71,27 @@ class Layer {
     /// Which lights reach what is seen at the pixels' centers, and around them.
     template <typename Rows>
     void look_around(const Rows& rows) {
-        Array<KnownLights> known(items_.size());
-        rows([&](int y) {
-            if (y % first_px != 0) return;
-            each_item(y, [&](int x, const SeenTriangle& triangle) {
-                if (x % first_px != 0) return;
-                const auto place = place_at(triangle, middle_of(x, y), triangle.screen.at(middle_of(x, y)));
-                known[std::size_t(y) * view_.width + x] = shadows_->sampled(place, x, y);
+        Array<KnownLights> known(items_.size()), first(items_.size());
+        const auto look = [&](bool again) {
+            rows([&](int y) {
+                if (!again && y % first_px != 0) return;
+                each_item(y, [&](int x, const SeenTriangle& triangle) {
+                    const bool is_first = x % first_px == 0 && y % first_px == 0;
+                    const std::size_t i = std::size_t(y) * view_.width + x;
+                    if (is_first == again) return;
+                    if (again && !shadows_->is_open(first[i])) {
+                        known[i] = first[i];
+                        return;
+                    }
+                    const auto place = place_at(triangle, middle_of(x, y), triangle.screen.at(middle_of(x, y)));
+                    known[i] = shadows_->sampled(place, x, y, first[i]);
+                });
             });
-        });
-        known_ = known_around(known, view_.width);
+        };
+        look(false);
+        first = known_around(known, view_.width, around_px);
+        look(true);
+        known_ = known_around(known, view_.width, around_px / 2);
         black_at_.assign(known.size(), 0);
     }
 
@@ -116,7 +127,7 @@ class Layer {
 
     /// What reaches a sample in a pixel. `parts`: of each light, where it differs around the pixel.
     Reach reach_at(const SeenTriangle& triangle, const dvec2& px, const dvec3& share, std::size_t pixel,
-                   int parts) const {
+                   const PartsOfLights& parts) const {
         Reach reach;
         if (!shadows_) return reach;
         const ShadedPlace place = place_at(triangle, px, share);
@@ -199,7 +210,8 @@ class Layer {
             const SeenTriangle& triangle = triangles[nearest];
             std::optional<Reach>& reach = known[nearest];
             if (!reach || edge == Edge::of_shadows) {
-                reach = reach_at(triangle, px, share, pixel, few_parts);
+                reach = reach_at(triangle, px, share, pixel,
+                                 edge == Edge::of_shadows ? parts_of_sample(i) : few_parts);
             } else if (shadows_ && asks_for_tone(pixel)) {
                 const ShadedPlace place = place_at(triangle, px, share);
                 reach->smooth = shadows_->smooth_normal(place);

@@ -16,13 +16,28 @@ LightBits of_middle(std::size_t light) { return LightBits(1u << (most_casters + 
 /// One of `parts` of a light, evenly over [-1, 1]^2.
 dvec2 part_of(int part, int parts) { return 2.0 * place_in_square(part, std::countr_zero(unsigned(parts))); }
 
+/// One of the four parts of one of 16 samples: in each quadrant one, and of all samples 64 that are even, too. Which
+/// sample has which is as if by chance, since samples are even over the pixel in the same order.
+dvec2 part_of_sample(int part, int sample) {
+    const int group = (7 * sample + 3) % 16;
+    return part_of((part & 2) << 4 | group << 1 | (part & 1), 64);
+}
+
 /// Around a light: corners, then the middles between them.
 constexpr dvec2 rim_of_light[] = {{-1, -1}, {1, 1}, {-1, 1}, {1, -1}, {0, -1}, {0, 1}, {-1, 0}, {1, 0}};
 
+/// Which of 16 parts a pixel takes: in any aligned square of 4 x 4 pixels all, and so do those with even coordinates in
+/// one of 8 x 8.
+int part_at(int x, int y) {
+    const auto in_two = [](int u, int v) { return u % 2 + 2 * (v % 2); };
+    static_assert(first_px == 2 && around_px == 4);
+    return 4 * ((in_two(x, y) + in_two(x / 4, y / 4)) % 4) + in_two(x / 2, y / 2);
+}
+
 /// Along one axis: `step` apart.
-KnownLights around(const KnownLights* known, int at, int count, std::ptrdiff_t step) {
+KnownLights around(const KnownLights* known, int at, int count, std::ptrdiff_t step, int px) {
     KnownLights all;
-    const int first = std::max(at - around_px / 2, 0), last = std::min(at + around_px / 2, count - 1);
+    const int first = std::max(at - px, 0), last = std::min(at + px, count - 1);
     for (int i = first; i <= last; ++i) all |= known[(i - at) * step];
     return all;
 }
@@ -52,26 +67,39 @@ ShadedPlace Shadows::place(Index placement, Index triangle, const dvec3& point) 
     return surfaces_[placement]->at(triangle, dvec3(view_to_world_ * dvec4(point, 1.0)));
 }
 
-KnownLights Shadows::sampled(const ShadedPlace& place, int x, int y) const {
-    constexpr int side = around_px / first_px;
-    const dvec2 part = part_of(x / first_px % side + side * (y / first_px % side), few_parts);
+KnownLights Shadows::sampled(const ShadedPlace& place, int x, int y, const KnownLights& around) const {
+    const dvec2 part = part_of(part_at(x, y), around_px * around_px);
     KnownLights known;
+    const auto tell = [&](LightBits bit, const auto& is_lit) {
+        const bool lit = around.is_open(bit) ? is_lit() : (around.lit & bit) != 0;
+        (lit ? known.lit : known.dark) |= bit;
+    };
     for (std::size_t i = 0; i < shades_.count(); ++i) {
-        const bool parted = strength_ > 0.0f && shades_.has_size(i);
-        const bool middle = !parted || blacks_ ? shades_.by(i, place) == Shade::lit : false;
-        const bool lit = parted ? shades_.by_part(i, place, part) == Shade::lit : middle;
-        (lit ? known.lit : known.dark) |= of_part(i);
-        if (blacks_) (middle ? known.lit : known.dark) |= of_middle(i);
+        const auto middle = [&] { return shades_.by(i, place) == Shade::lit; };
+        const auto lit = [&] { return shades_.by_part(i, place, part) == Shade::lit; };
+        if (strength_ > 0.0f) tell(of_part(i), lit);
+        if (blacks_) tell(of_middle(i), middle);
     }
     return known;
 }
 
-float Shadows::share(std::size_t light, const ShadedPlace& place, int parts) const {
+bool Shadows::is_open(const KnownLights& around) const {
+    for (std::size_t i = 0; i < shades_.count(); ++i)
+        if ((strength_ > 0.0f && around.is_open(of_part(i))) || (blacks_ && around.is_open(of_middle(i)))) return true;
+    return false;
+}
+
+float Shadows::share(std::size_t light, const ShadedPlace& place, const PartsOfLights& asked) const {
     const auto is_lit = [&](const dvec2& part) { return shades_.by_part(light, place, part) == Shade::lit; };
     if (!shades_.has_size(light)) return is_lit(dvec2(0.0)) ? 1.0f : 0.0f;
-    // Where its rim and some more are lit, or dark, all of it is: so most places near penumbras need few rays.
-    const int some = parts / 4, rim = parts == all_parts ? 8 : 4;
+    const int parts = asked.count;
     int lit = 0, looked = 0;
+    if (parts == 4) {
+        for (int i = 0; i < parts; ++i) lit += is_lit(part_of_sample(i, asked.sample));
+        return float(lit) / float(parts);
+    }
+    // Where its rim and some more are lit, or dark, all of it is: so most places near penumbras need few rays.
+    const int some = parts / 4, rim = parts == all_parts.count ? 8 : 4;
     for (; looked < rim + some && (lit == 0 || lit == looked); ++looked)
         lit += is_lit(looked < rim ? rim_of_light[looked] : part_of(looked - rim, some));
     if (lit == 0 || lit == looked) return lit ? 1.0f : 0.0f;
@@ -80,7 +108,7 @@ float Shadows::share(std::size_t light, const ShadedPlace& place, int parts) con
     return float(lit) / float(parts);
 }
 
-void Shadows::leave(const ShadedPlace& place, const KnownLights& around, int parts, Reach& reach) const {
+void Shadows::leave(const ShadedPlace& place, const KnownLights& around, const PartsOfLights& parts, Reach& reach) const {
     if (!(strength_ > 0.0f)) return;
     for (std::size_t i = 0; i < shades_.count(); ++i) {
         const LightBits bit = of_part(i);
@@ -97,14 +125,14 @@ void Shadows::see_middles(const ShadedPlace& place, const KnownLights& around, R
     }
 }
 
-Array<KnownLights> known_around(const Array<KnownLights>& known, int width) {
+Array<KnownLights> known_around(const Array<KnownLights>& known, int width, int px) {
     const int height = int(known.size() / std::size_t(width));
     Array<KnownLights> along(known.size()), all(known.size());
     parallel_for(height, 16, [&](std::size_t y) {
-        for (int x = 0; x < width; ++x) along[y * width + x] = around(&known[y * width + x], x, width, 1);
+        for (int x = 0; x < width; ++x) along[y * width + x] = around(&known[y * width + x], x, width, 1, px);
     });
     parallel_for(height, 16, [&](std::size_t y) {
-        for (int x = 0; x < width; ++x) all[y * width + x] = around(&along[y * width + x], int(y), height, width);
+        for (int x = 0; x < width; ++x) all[y * width + x] = around(&along[y * width + x], int(y), height, width, px);
     });
     return all;
 }

@@ -27,10 +27,18 @@ struct KnownLights {
     }
 };
 
-/// Rays to a light in a penumbra, and to one from a sample beside others in the pixel.
-inline constexpr int all_parts = 64, few_parts = 16;
-/// Every second pixel along each axis is looked at first; of any square of around_px, those take few_parts parts.
-inline constexpr int first_px = 2, around_px = 8;
+/// Parts of lights that rays are sent to: an even choice of so many, or, of 16 samples of one pixel (`sample`), four
+/// for each, which are 64 for all of them.
+struct PartsOfLights {
+    int count;
+    int sample = 0;
+};
+/// In a penumbra, and from a sample that stands for others of its triangle in the pixel.
+inline constexpr PartsOfLights all_parts{64}, few_parts{16};
+/// Every second pixel along each axis is looked at first, then all up to around_px from where those differ; of squares
+/// of around_px times as many pixels, those take 16 parts.
+inline constexpr int first_px = 2, around_px = 4;
+inline PartsOfLights parts_of_sample(int sample) { return {4, sample}; }
 
 class Shadows {
    public:
@@ -41,16 +49,18 @@ class Shadows {
     ShadedPlace place(Index placement, Index triangle, const dvec3& point) const;
     /// Its normal in view space if it is on a smooth surface, else 0.
     vec3 smooth_normal(const ShadedPlace& place) const;
-    /// What reaches the place at the center of a pixel, of each light a part that depends on the pixel.
-    KnownLights sampled(const ShadedPlace& place, int x, int y) const;
-    /// What shadows leave of the lights at a place: of those that differ around it by rays to so many parts of each, of
-    /// others as is known.
-    void leave(const ShadedPlace& place, const KnownLights& around, int parts, Reach& reach) const;
+    /// What reaches the place at the center of a pixel, of each light a part that depends on the pixel; of lights that
+    /// do not differ around it, as is known.
+    KnownLights sampled(const ShadedPlace& place, int x, int y, const KnownLights& around) const;
+    bool is_open(const KnownLights& around) const;
+    /// What shadows leave of the lights at a place: of those that differ around it by rays to parts of each, of others
+    /// as is known.
+    void leave(const ShadedPlace& place, const KnownLights& around, const PartsOfLights& parts, Reach& reach) const;
     /// Which of their middles it sees, alike.
     void see_middles(const ShadedPlace& place, const KnownLights& around, Reach& reach) const;
 
    private:
-    float share(std::size_t light, const ShadedPlace& place, int parts) const;
+    float share(std::size_t light, const ShadedPlace& place, const PartsOfLights& parts) const;
 
     dmat4 view_to_world_;
     dmat3 world_to_view_;
@@ -60,7 +70,7 @@ class Shadows {
     std::vector<std::unique_ptr<const scene::ShadedSurface>> surfaces_;  // per placement; null: outside of the frame
 };
 
-/// What is known around each pixel, of what is known at all (width * height).
-Array<KnownLights> known_around(const Array<KnownLights>& known, int width);
+/// What is known up to so many pixels around each, of what is known at all (width * height).
+Array<KnownLights> known_around(const Array<KnownLights>& known, int width, int px);
 
 }  // namespace fovea::color

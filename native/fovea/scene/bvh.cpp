@@ -29,6 +29,20 @@ struct Nearest final : RayContext {
     }
 };
 
+/// Ends at the first hit before the end of the ray.
+struct Blocked final : RayContext {
+    using RayContext::RayContext;
+    Index found = none;  // triangle
+    Index placed = none;
+
+    void meet(Index triangle, const TriangleHit& hit) override {
+        if (found != none || hit.t >= far_t || ignored(triangle, hit.t)) return;
+        found = triangle;
+        placed = placement;
+        far_t = near_t;
+    }
+};
+
 void box_of_instance(const RTCBoundsFunctionArguments* at) {
     const auto& bvh = *static_cast<const Tracer::Bvh*>(at->geometryUserPtr);
     const Index placement = bvh.instances[at->primID].placement;
@@ -128,6 +142,19 @@ std::optional<Hit> Tracer::Bvh::trace(const Ray& ray, const Ignore& ignore) cons
     return nearest.found;
 }
 
+bool Tracer::Bvh::is_blocked(const Ray& ray, const Ignore& ignore, Blocker& last) const {
+    Blocked blocked(*this, ray, ignore);
+    if (last.instance != none && blocked.enter(instances[last.instance])) {
+        SurfaceBvh::lead_to(last.triangle, blocked);
+        if (blocked.found != none) return true;
+    }
+    lead(blocked);
+    if (blocked.found == none) return false;
+    const auto own = std::ranges::lower_bound(instances, blocked.placed, {}, &Instance::placement);
+    last = {Index(own - instances.begin()), blocked.found};
+    return true;
+}
+
 std::optional<Hit> Tracer::Bvh::trace_if_of(Index placement, const Ray& ray, const Ignore& ignore) const {
     const auto own = std::ranges::lower_bound(instances, placement, {}, &Instance::placement);
     if (own == instances.end() || own->placement != placement) return {};
@@ -148,13 +175,18 @@ RayContext::RayContext(const Tracer::Bvh& of, const Ray& ray, const Ignore& skip
     init_context(*this);
 }
 
-bool RayContext::pass(const Tracer::Bvh::Instance& instance) {
+bool RayContext::enter(const Tracer::Bvh::Instance& instance) {
     placement = instance.placement;
     surface = bvh.scene.placements[placement].surface.get();
     const glm::dmat4x3& to_object = instance.view_to_object;
     const dvec3 along = to_object * dvec4(direction, 0.0);
     if (along == dvec3(0.0)) return false;
     local = ShearedRay(to_object * dvec4(origin, 1.0), along);
+    return true;
+}
+
+bool RayContext::pass(const Tracer::Bvh::Instance& instance) {
+    if (!enter(instance)) return false;
     const double before = far_t;
     instance.surface->lead(*this);
     return far_t != before;

@@ -55,6 +55,8 @@ class SurfaceBvh {
     void follow(const Surface& surface) const;
     /// Leads the context's ray through the triangles; it is in object space.
     void lead(RayContext& context) const;
+    /// Leads it to one of them alone.
+    static void lead_to(Index triangle, RayContext& context);
 
    private:
     /// What callbacks read: of the surface, and the space of boxes, in which all is within 1 of the origin.
@@ -67,6 +69,7 @@ class SurfaceBvh {
     };
     static void box_of(const RTCBoundsFunctionArguments* at);
     static void meet(const RTCIntersectFunctionNArguments* at);
+    static void meet(RayContext& context, const vec3* positions, const Triangle& corners, Index triangle);
 
     void take(const Surface& surface) const;
     void build(const Surface& surface) const;
@@ -110,7 +113,9 @@ struct Tracer::Bvh {
     void lead(RayContext& context) const;
     /// The first of the hits that are not ignored.
     std::optional<Hit> trace(const Ray& ray, const Ignore& ignore) const;
-    /// The same if the ray meets that placement at all, which is quick to tell; else nothing.
+    /// Whether there is one before the end of the ray. `last`: asked first, and told.
+    bool is_blocked(const Ray& ray, const Ignore& ignore, Blocker& last) const;
+    /// The first if the ray meets that placement at all, which is quick to tell; else nothing.
     std::optional<Hit> trace_if_of(Index placement, const Ray& ray, const Ignore& ignore) const;
 };
 
@@ -130,6 +135,8 @@ struct RayContext : QueryContext {
 
     RayContext(const Tracer::Bvh& of, const Ray& ray, const Ignore& skipped);
     virtual ~RayContext() = default;
+    /// Takes the ray to the space of an instance; false if it has no direction there.
+    bool enter(const Tracer::Bvh::Instance& instance);
     /// Leads the ray through an instance. Whether that shortened it.
     bool pass(const Tracer::Bvh::Instance& instance);
     /// The ray meets a triangle between near_t and far_t. May shorten the ray.

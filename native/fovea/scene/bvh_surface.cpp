@@ -195,6 +195,16 @@ void SurfaceBvh::lead(RayContext& context) const {
     follow_ray(scene_.get(), ray, context);
 }
 
+void SurfaceBvh::lead_to(Index triangle, RayContext& context) {
+    meet(context, context.surface->positions.data(), context.surface->triangles[triangle], triangle);
+}
+
+void SurfaceBvh::meet(RayContext& context, const vec3* p, const Triangle& t, Index triangle) {
+    TriangleHit hit;
+    if (meets(context.local, p[t.x], p[t.y], p[t.z], hit) && hit.t > context.near_t && hit.t <= context.far_t)
+        context.meet(triangle, hit);
+}
+
 void SurfaceBvh::box_of(const RTCBoundsFunctionArguments* at) {
     const Triangles& of = *static_cast<const Triangles*>(at->geometryUserPtr);
     vec3 lower(std::numeric_limits<float>::infinity()), upper(-lower);
@@ -211,13 +221,8 @@ void SurfaceBvh::meet(const RTCIntersectFunctionNArguments* at) {
     const Triangles& of = *static_cast<const Triangles*>(at->geometryUserPtr);
     auto& context = *static_cast<RayContext*>(at->context);
     const double before = context.far_t;
-    for (Index i = of.patches[at->primID]; i < of.patches[at->primID + 1]; ++i) {
-        const Triangle& t = of.triangles[i];
-        const vec3* p = of.positions;
-        TriangleHit hit;
-        if (!meets(context.local, p[t.x], p[t.y], p[t.z], hit)) continue;
-        if (hit.t > context.near_t && hit.t <= context.far_t) context.meet(i, hit);
-    }
+    for (Index i = of.patches[at->primID]; i < of.patches[at->primID + 1]; ++i)
+        meet(context, of.positions, of.triangles[i], i);
     if (context.far_t != before)
         RTCRayN_tfar(RTCRayHitN_RayN(at->rayhit, 1), 1, 0) =
             end_of_ray(context.far_t - context.first_t, context.longest);

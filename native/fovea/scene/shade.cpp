@@ -172,10 +172,10 @@ Shade Shades::by(std::size_t number, const ShadedPlace& place, const dvec3& move
     if (cone > -1.0 && glm::dot(from_light, light.direction) < cone * distance) return Shade::cast;
     // What is on no facet may lie on others.
     const double before = place.normal == dvec3(0.0) ? 1.0 - ray_margin : 1.0;
-    const std::optional<Hit> hit =
-        moved == dvec3(0.0) ? tracer.along(seen, place.ignore)
-                            : tracer.between(of_sun ? seen - seen.z / sun.z * sun : moved, seen, place.ignore);
-    return hit && hit->t < before ? Shade::cast : Shade::lit;
+    const dvec3 origin = of_sun ? seen - seen.z / sun.z * sun : moved;
+    auto& last = last_.local();
+    last.resize(lights_.size());
+    return tracer.is_blocked(origin, seen, before, place.ignore, last[number]) ? Shade::cast : Shade::lit;
 }
 
 Shade Shades::at(const ShadedPlace& place) const {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <tbb/enumerable_thread_specific.h>
 #include <vector>
 
 #include <fovea/field/corner_normals.h>
@@ -92,6 +93,8 @@ class Shades {
    private:
     std::vector<Light> lights_;
     std::vector<std::unique_ptr<const Tracer>> tracers_;  // per light, which is their eye
+    /// Per light what hid it last: it mostly hides it from the next place, too. Does not change what is told.
+    mutable tbb::enumerable_thread_specific<std::vector<Blocker>> last_;
 
     /// `moved`: from the eye, in the view of the light; of a sun from the direction to it.
     Shade by(std::size_t light, const ShadedPlace& place, const dvec3& moved) const;

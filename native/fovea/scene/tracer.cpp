@@ -72,8 +72,10 @@ std::optional<Hit> Tracer::along(const dvec3& point, const Ignore& ignore, doubl
     return nearest(behind_section({eye, point - eye, near_t, infinity}), ignore);
 }
 
-std::optional<Hit> Tracer::between(const dvec3& origin, const dvec3& point, const Ignore& ignore) const {
-    return nearest(behind_section({origin, point - origin, 0.0, 1.0}), ignore);
+bool Tracer::is_blocked(const dvec3& origin, const dvec3& point, double before, const Ignore& ignore,
+                        Blocker& last) const {
+    const Ray ray = behind_section({origin, point - origin, 0.0, before});
+    return ray.near_t < ray.far_t && bvh_->is_blocked(ray, ignore, last);
 }
 
 Ray Tracer::ray_beyond(const vec3& point) const {

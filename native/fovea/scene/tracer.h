@@ -67,6 +67,11 @@ struct Hit {
     float u = 0.0f, v = 0.0f;
 };
 
+/// What was in the way of a ray, for the next one.
+struct Blocker {
+    Index instance = none, triangle = none;  ///< of the tracer's BVH
+};
+
 /// A planar convex polygon of three to five corners, in order, in view space; of none: nothing is known.
 struct Outline {
     dvec3 corners[5];
@@ -110,8 +115,9 @@ class Tracer {
     /// the point. In double precision.
     std::optional<Hit> along(const dvec3& point, const Ignore& ignore, double near_t = 0.0) const;
 
-    /// The surface nearest to `origin` on the way from there to `point`, wherever both are. In double precision.
-    std::optional<Hit> between(const dvec3& origin, const dvec3& point, const Ignore& ignore) const;
+    /// Whether any surface is on the way from `origin` to `point`, wherever both are, before the share `before` of it.
+    /// In double precision. `last`: in the way of a ray like it, which is asked first; then what is in the way of this.
+    bool is_blocked(const dvec3& origin, const dvec3& point, double before, const Ignore& ignore, Blocker& last) const;
 
     /// The nearest surface beyond `point` on the ray from the eye through it.
     std::optional<Hit> behind(const vec3& point, const Ignore& ignore) const;
