@@ -57,6 +57,16 @@ def test_stretch_is_that_of_the_level_that_has_most_of_the_ink():
         assert told["stretch_median"] == pytest.approx(stretch, abs=1e-4), octave
 
 
+def test_a_line_without_dashes_pops_by_what_its_opacity_changes():
+    def plain(opacity):
+        dashed = lines((0, 4), opacity=opacity)
+        return replace(dashed, along=np.full_like(dashed.along, measures.MIDDLE))
+
+    told = figures(plain(1.0), plain(0.75), plain(0.5), by=0.013)
+    assert told["popping"] == pytest.approx(0.25, abs=1e-3)
+    assert told["slide_p95_px"] == told["stretch_p95"] == 0
+
+
 def test_levels_blend_without_a_jump_in_ink():
     along = np.linspace(0, 1, 999)
     whole = PERIOD * np.array([2 - 1e-9, 2 + 1e-9])

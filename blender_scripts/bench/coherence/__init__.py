@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """`fovea bench coherence`: how steady lines are from frame to frame, beside Freestyle and Line Art.
 
-One process per scene and renderer; runs in plain Python. All lines are dashes of PERIOD pixels, whose coordinate along
-the line is what slides or holds still. Freestyle and Line Art begin it anew at each stroke's start.
+One process per scene and renderer; runs in plain Python. All lines but hatching, which has no peers, are dashes of
+PERIOD pixels, whose coordinate along the line is what slides or holds still. Freestyle and Line Art begin it anew at
+each stroke's start.
 
 The same measures, on the same grounds (measures.py), for all: points of a frame's strokes are moved with the scene to
 the next frame, and found on the strokes there. window: frames to each side that visibility answers to. pure:
@@ -20,7 +21,9 @@ from .. import peers
 WORKER = Path(__file__).with_name("worker.py")
 SCENES = ("orbit", "turntable", "dolly", "zoom", "walk")  # motions.py
 RENDERERS = ("fovea", "freestyle", "line_art")
-LINES = {"mesh": ("crease", "border"), "view": ("contour",)}  # fixed to the mesh; of the view
+# Fixed to the mesh; of the view; spaced evenly on paper, which only Fovea has.
+LINES = {"mesh": ("crease", "border"), "view": ("contour",), "hatching": ("hatching",)}
+ALONE = "hatching"
 ANCHORS = ("screen", "path")
 FRAMES, QUICK_FRAMES = 16, 4
 MARKS, BAKED = 16, "baked"  # frames
@@ -37,7 +40,8 @@ def parse(words):
     add = parser.add_argument
     add("--scenes", type=peers.some_of(SCENES), default=list(SCENES), metavar="A,B", help=", ".join(SCENES))
     add("--renderers", type=peers.some_of(RENDERERS), default=list(RENDERERS), metavar="A,B", help="of all three")
-    add("--lines", type=peers.some_of(LINES), default=list(LINES), metavar="A,B", help="mesh: creases; view: contours")
+    lines = "mesh: creases; view: contours; hatching: of planes of the objects, without dashes (mesh,view)"
+    add("--lines", type=peers.some_of(LINES), default=[name for name in LINES if name != ALONE], metavar="A,B", help=lines)
     add("--anchor", choices=ANCHORS, default="path", help="what Fovea's dashes are fixed to (path)")
     window = "frames to each side that visibility in Fovea answers to (0)"
     add("--window", type=frames_to_each_side, default=0, metavar="N", help=window)
@@ -74,8 +78,9 @@ def main(words, blender, environment, shared: Path | None) -> int:
     for scene in options.scenes:
         for renderer in options.renderers:
             print(f"fovea: {scene}, {renderer}", file=sys.stderr, flush=True)
+            lines = [name for name in options.lines if renderer == "fovea" or name != ALONE]
             asked = {
-                "scene": scene, "renderer": renderer, "lines": options.lines, "anchor": options.anchor,
+                "scene": scene, "renderer": renderer, "lines": lines, "anchor": options.anchor,
                 "window": options.window if renderer == "fovea" else 0,
                 "marks": options.marks if renderer == "fovea" and options.anchor == "path" else 0,
                 "size": options.size, "frames": options.frames, "shared": str(shared or ""),

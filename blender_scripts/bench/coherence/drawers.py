@@ -12,19 +12,21 @@ from bl_ext.user_default.fovea import pipeline
 
 from .. import renderers
 from ..focus.world import kept_results
-from . import BAKED, PERIOD
+from . import ALONE, BAKED, LINES, PERIOD
+from .measures import MIDDLE
 from .strokes import Strokes, arc_from_start, divided, mixed
 
 STEP = 4.0  # pixels between points of a line, as between places on it (native/fovea/stroke/anchor.cpp)
 DASHES = 8  # lengths of the dashes' texture in widths of the pen
 REFERENCE = 1080  # pixels of the height that a pen's width is given for
+OF_OBJECTS = 2  # planes of hatching
 
 
 class Fovea(renderers.Fovea):
     def __init__(self, scene, anchor, window=0, marks=0):
         super().__init__(scene)
         self.anchor, self.window, self.marks = anchor, window, marks
-        self.kept, self.image = None, None
+        self.kept, self.image, self.dashed = None, None, True
 
     def lines(self, kinds):
         from bl_ext.user_default.fovea.style import style_data
@@ -33,15 +35,18 @@ class Fovea(renderers.Fovea):
         held = style_data.use(scene, "plain")
         style_data.choose_lines(held, kinds)
         held.elision.enabled = False
+        self.dashed = kinds != LINES[ALONE]
         held.animation.visibility_frames = self.window
         if self.marks != BAKED:
             held.animation.marks_frames = self.marks
         for line_set in held.line_sets:
-            line_set.kinds.crease_angle = renderers.CREASE
+            line_set.kinds.crease_angle, line_set.kinds.hatching_planes = renderers.CREASE, OF_OBJECTS
             pen = line_set.pen
+            pen.cap, pen.taper = "BUTT", 0.0
+            if not self.dashed:
+                continue
             pen.width = PERIOD / DASHES * REFERENCE / scene.render.resolution_y
             pen.texture, pen.texture_anchor = "dashes", self.anchor.upper()
-            pen.cap, pen.taper = "BUTT", 0.0
         if self.marks == BAKED:
             held.animation.marks_baked = True
             bpy.ops.wm.save_as_mainfile(filepath=str(Path(bpy.app.tempdir) / "shot.blend"))
@@ -68,7 +73,10 @@ class Fovea(renderers.Fovea):
         strokes = self.kept.strokes
         opacity, *anchored = self.drawn_at(piece, arc, [np.asarray(strokes.opacity), *np.asarray(strokes.anchor).T])
         along, whole = arc / PERIOD, np.full(len(arc), float(PERIOD))
-        if fixed := self.anchor == "path":
+        fixed = self.dashed and self.anchor == "path"
+        if not self.dashed:
+            along = np.full(len(arc), MIDDLE)
+        elif fixed:
             along, whole = anchored
         return Strokes(offsets, px, view.to_world(position), view.depth(position), along, whole, fixed, opacity)
 

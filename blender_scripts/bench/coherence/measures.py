@@ -14,6 +14,7 @@ REACH = 3.0  # pixels within which a moved point's line must lie
 SAME_WAY = 0.7  # cosine between the directions of a line found again
 SAME_DEPTH = 0.02  # of the distance from the eye
 INKED = 2 / 3  # of a period
+MIDDLE = INKED / 2  # coordinate in the middle of the ink: a line without dashes has it all along
 
 
 @dataclass(frozen=True)
