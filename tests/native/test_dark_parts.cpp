@@ -42,7 +42,9 @@ TEST(DarkParts, OfSegmentsOneAfterTheOtherAreDarkByRays) {
             const auto placement = Index(n) % Index(scene.placements.size());
             const Ignore ignore = eye.tracer.ignore_at(placement, Index(n) % 12);
             const dvec3 to = from + 0.2 * dvec3(way(random), way(random), way(random));
-            const auto in_light = [&](const dvec3& p) { return dvec3(eye.tracer.view().world_to_view * dvec4(p, 1.0)); };
+            const auto in_light = [&](const dvec3& p) {
+                return dvec3(eye.tracer.view().world_to_view * dvec4(p, 1.0));
+            };
             const dvec3 a = in_light(from), b = in_light(to);
             parts.next_segment(a, b, ignore);
             const auto by_ray = [&](double t) { return eye.pass(glm::mix(a, b, t), ignore); };

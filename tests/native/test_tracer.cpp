@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Rays against spheres and planes, whose answers are known; the depth pass and the holes of holdouts.
 #include <gtest/gtest.h>
+#include <random>
 
 #include <fovea/scene/seen.h>
 #include <fovea/scene/tracer.h>
@@ -103,6 +104,36 @@ TEST(Tracer, ContinuesBehindIsWhetherTheNearestSurfaceBehindIsOfTheSameOutline) 
         EXPECT_GT(yes, 20);
         EXPECT_GT(no, 1000);
     }
+}
+
+TEST(Tracer, AWayIsBlockedWhereSomethingIsMetOnItWhateverWasInTheWayOfAnother) {
+    std::mt19937 random(31);
+    std::uniform_real_distribution<double> side(-3.0, 3.0), size(0.2, 1.0);
+    std::vector<Placement> placements;
+    for (int i = 0; i < 30; ++i)
+        placements.push_back(place(i % 2 ? sphere(5) : grid(2),
+                                   glm::scale(moved({side(random), side(random), side(random) - 9.0}),
+                                              dvec3(size(random), size(random), size(random))),
+                                   std::uint64_t(i)));
+    const Scene scene(std::move(placements));
+    const Tracer tracer(scene, perspective({0, 0, 0}, {0, 0, -1}, 60));
+    scene::Blocker last;
+    int blocked = 0, ignored = 0;
+    for (int n = 0; n < 5000; ++n) {
+        const dvec3 point(side(random), side(random), side(random) - 9.0);
+        const auto hit = tracer.along(point, nothing);
+        EXPECT_EQ(tracer.is_blocked(dvec3(0.0), point, 1.0, nothing, last), hit && hit->t < 1.0) << n;
+        if (!hit || !(hit->t < 1.0)) continue;
+        ++blocked;
+        EXPECT_FALSE(tracer.is_blocked(dvec3(0.0), point, hit->t, nothing, last)) << "before it, there is nothing";
+        const Ignore facet{.placement = hit->placement,
+                           .facet = scene.placements[hit->placement].surface->triangle_facet[hit->triangle]};
+        const auto next = tracer.along(point, facet);
+        EXPECT_EQ(tracer.is_blocked(dvec3(0.0), point, 1.0, facet, last), next && next->t < 1.0) << n;
+        ignored += !next || !(next->t < 1.0);
+    }
+    EXPECT_GT(blocked, 500);
+    EXPECT_GT(ignored, 100);
 }
 
 TEST(Tracer, IgnoredFacetsLetTheRayThrough) {

@@ -40,8 +40,9 @@ def parse(words):
     add = parser.add_argument
     add("--scenes", type=peers.some_of(SCENES), default=list(SCENES), metavar="A,B", help=", ".join(SCENES))
     add("--renderers", type=peers.some_of(RENDERERS), default=list(RENDERERS), metavar="A,B", help="of all three")
+    usual = [name for name in LINES if name != ALONE]
     lines = "mesh: creases; view: contours; hatching: of planes of the objects, without dashes (mesh,view)"
-    add("--lines", type=peers.some_of(LINES), default=[name for name in LINES if name != ALONE], metavar="A,B", help=lines)
+    add("--lines", type=peers.some_of(LINES), default=usual, metavar="A,B", help=lines)
     add("--anchor", choices=ANCHORS, default="path", help="what Fovea's dashes are fixed to (path)")
     window = "frames to each side that visibility in Fovea answers to (0)"
     add("--window", type=frames_to_each_side, default=0, metavar="N", help=window)

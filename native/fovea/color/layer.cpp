@@ -210,8 +210,7 @@ class Layer {
             const SeenTriangle& triangle = triangles[nearest];
             std::optional<Reach>& reach = known[nearest];
             if (!reach || edge == Edge::of_shadows) {
-                reach = reach_at(triangle, px, share, pixel,
-                                 edge == Edge::of_shadows ? parts_of_sample(i) : few_parts);
+                reach = reach_at(triangle, px, share, pixel, edge == Edge::of_shadows ? parts_of_sample(i) : few_parts);
             } else if (shadows_ && asks_for_tone(pixel)) {
                 const ShadedPlace place = place_at(triangle, px, share);
                 reach->smooth = shadows_->smooth_normal(place);

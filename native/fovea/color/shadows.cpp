@@ -20,7 +20,7 @@ dvec2 part_of(int part, int parts) { return 2.0 * place_in_square(part, std::cou
 /// sample has which is as if by chance, since samples are even over the pixel in the same order.
 dvec2 part_of_sample(int part, int sample) {
     const int group = (7 * sample + 3) % 16;
-    return part_of((part & 2) << 4 | group << 1 | (part & 1), 64);
+    return part_of((part & 2) << 4 | group << 1 | (part & 1), all_parts.count);
 }
 
 /// Around a light: corners, then the middles between them.
@@ -94,8 +94,8 @@ float Shadows::share(std::size_t light, const ShadedPlace& place, const PartsOfL
     if (!shades_.has_size(light)) return is_lit(dvec2(0.0)) ? 1.0f : 0.0f;
     const int parts = asked.count;
     int lit = 0, looked = 0;
-    if (parts == 4) {
-        for (int i = 0; i < parts; ++i) lit += is_lit(part_of_sample(i, asked.sample));
+    if (asked.sample) {
+        for (int i = 0; i < parts; ++i) lit += is_lit(part_of_sample(i, *asked.sample));
         return float(lit) / float(parts);
     }
     // Where its rim and some more are lit, or dark, all of it is: so most places near penumbras need few rays.
@@ -108,7 +108,8 @@ float Shadows::share(std::size_t light, const ShadedPlace& place, const PartsOfL
     return float(lit) / float(parts);
 }
 
-void Shadows::leave(const ShadedPlace& place, const KnownLights& around, const PartsOfLights& parts, Reach& reach) const {
+void Shadows::leave(const ShadedPlace& place, const KnownLights& around, const PartsOfLights& parts,
+                    Reach& reach) const {
     if (!(strength_ > 0.0f)) return;
     for (std::size_t i = 0; i < shades_.count(); ++i) {
         const LightBits bit = of_part(i);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include <fovea/color/light.h>
@@ -27,18 +28,18 @@ struct KnownLights {
     }
 };
 
-/// Parts of lights that rays are sent to: an even choice of so many, or, of 16 samples of one pixel (`sample`), four
-/// for each, which are 64 for all of them.
+/// Parts of lights that rays are sent to: an even choice of so many, or those of one of a pixel's 16 samples.
 struct PartsOfLights {
     int count;
-    int sample = 0;
+    std::optional<int> sample = {};
 };
-/// In a penumbra, and from a sample that stands for others of its triangle in the pixel.
+/// In a penumbra; from a sample that stands for others of its triangle in the pixel; and from each of 16, all of whose
+/// parts are those of a penumbra.
 inline constexpr PartsOfLights all_parts{64}, few_parts{16};
+inline PartsOfLights parts_of_sample(int sample) { return {all_parts.count / 16, sample}; }
 /// Every second pixel along each axis is looked at first, then all up to around_px from where those differ; of squares
 /// of around_px times as many pixels, those take 16 parts.
 inline constexpr int first_px = 2, around_px = 4;
-inline PartsOfLights parts_of_sample(int sample) { return {4, sample}; }
 
 class Shadows {
    public:

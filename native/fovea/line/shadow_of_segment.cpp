@@ -183,7 +183,7 @@ class Shadow {
     const CastingSegment& segment_;
     Array<ShadowPiece>& out_;
     const double length_, shortest_;  // of the segment; the shortest step, in shares of it
-    bool open_ = false;  // the last piece ends where the next part of the segment begins
+    bool open_ = false;               // the last piece ends where the next part of the segment begins
 };
 
 }  // namespace

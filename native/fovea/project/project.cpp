@@ -29,9 +29,9 @@ struct Projected {
     std::vector<double> before;         // per point: distance before the section plane; empty: it cuts nothing
     std::vector<std::uint8_t> outside;  // per point: a bit per clip plane that it is outside of; the last: the section
     std::uint8_t outside_all = 0, outside_any = 0;
-    std::vector<Interval> has_pixels;   // per segment: the part in front of the near plane, and not beyond most_frames
-    std::vector<double> length;         // per segment, in space
-    std::vector<double> arc_px;         // per point: pixels of path before it
+    std::vector<Interval> has_pixels;  // per segment: the part in front of the near plane, and not beyond most_frames
+    std::vector<double> length;        // per segment, in space
+    std::vector<double> arc_px;        // per point: pixels of path before it
     double middle_px = 0.0;
 };
 

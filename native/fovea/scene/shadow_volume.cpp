@@ -42,8 +42,7 @@ Interval ShadowVolume::inside(const dvec3& a, const dvec3& b, int first_plane) c
 
 Occluding::Occluding(const Tracer& tracer, const Hit& hit, double margin) : placement_(hit.placement) {
     const Outline outline = tracer.outline(hit);
-    if (outline.count > 0)
-        volume_ = ShadowVolume({outline.corners, std::size_t(outline.count)}, tracer.view(), margin);
+    if (outline.count > 0) volume_ = ShadowVolume({outline.corners, std::size_t(outline.count)}, tracer.view(), margin);
     triangle_ = outline.triangle;
     other_ = outline.other;
 }
