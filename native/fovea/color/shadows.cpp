@@ -76,7 +76,7 @@ KnownLights Shadows::sampled(const ShadedPlace& place, int x, int y, const Known
     };
     for (std::size_t i = 0; i < shades_.count(); ++i) {
         const auto middle = [&] { return shades_.by(i, place) == Shade::lit; };
-        const auto lit = [&] { return shades_.by_part(i, place, part) == Shade::lit; };
+        const auto lit = [&] { return scene::PlaceByLight(shades_, i, place).by_part(part) == Shade::lit; };
         if (strength_ > 0.0f) tell(of_part(i), lit);
         if (blacks_) tell(of_middle(i), middle);
     }
@@ -90,7 +90,8 @@ bool Shadows::is_open(const KnownLights& around) const {
 }
 
 float Shadows::share(std::size_t light, const ShadedPlace& place, const PartsOfLights& asked) const {
-    const auto is_lit = [&](const dvec2& part) { return shades_.by_part(light, place, part) == Shade::lit; };
+    const scene::PlaceByLight seen(shades_, light, place);
+    const auto is_lit = [&](const dvec2& part) { return seen.by_part(part) == Shade::lit; };
     if (!shades_.has_size(light)) return is_lit(dvec2(0.0)) ? 1.0f : 0.0f;
     const int parts = asked.count;
     int lit = 0, looked = 0;

@@ -27,7 +27,7 @@ struct ShearedRay {
         shear_x = along[x] * scale;
         shear_y = along[y] * scale;
     }
-    dvec3 operator()(const vec3& point) const {
+    [[gnu::always_inline]] dvec3 operator()(const vec3& point) const {
         const double depth = double(point[z]) - origin[z];
         return {double(point[x]) - origin[x] - shear_x * depth, double(point[y]) - origin[y] - shear_y * depth, depth};
     }

@@ -136,46 +136,51 @@ bool Shades::has_size(std::size_t number) const {
     return light.half_side[0] != dvec3(0.0) || light.half_side[1] != dvec3(0.0);
 }
 
-dvec3 Shades::moved_to(std::size_t number, const dvec3& seen, const dvec2& part) const {
-    const Light& light = lights_[number];
-    const View& view = tracers_[number]->view();
-    if (light.kind == Light::area)
-        return dmat3(view.world_to_view) * (part.x * light.half_side[0] + part.y * light.half_side[1]);
-    const dvec2 flat = light.radius * in_disk(part);
-    if (view.orthographic) return {flat, 0.0};
-    const dvec3 way = unit_or_zero(seen), right = unit_or_zero(glm::cross(way, least_axis(way)));
-    return flat.x * right + flat.y * glm::cross(right, way);
+Shade Shades::by(std::size_t number, const ShadedPlace& place) const {
+    return PlaceByLight(*this, number, place).by_middle();
 }
 
-Shade Shades::by(std::size_t number, const ShadedPlace& place) const { return by(number, place, dvec3(0.0)); }
-
-Shade Shades::by_part(std::size_t number, const ShadedPlace& place, const dvec2& part) const {
-    if (!has_size(number)) return by(number, place);
-    const dvec3 seen(tracers_[number]->view().world_to_view * dvec4(place.point, 1.0));
-    return by(number, place, moved_to(number, seen, part));
-}
-
-Shade Shades::by(std::size_t number, const ShadedPlace& place, const dvec3& moved) const {
-    const Light& light = lights_[number];
-    const Tracer& tracer = *tracers_[number];
-    const dmat4& to_light = tracer.view().world_to_view;
-    const dvec3 seen(to_light * dvec4(place.point, 1.0));
-    const bool of_sun = tracer.view().orthographic;
-    const dvec3 sun = glm::normalize(dvec3(0, 0, 1) + moved), from_light = of_sun ? -sun : seen - moved;
-    const double distance = of_sun ? 1.0 : glm::length(from_light);
-    if (!std::isfinite(distance + glm::length(seen))) return Shade::cast;
-    if (place.normal != dvec3(0.0)) {
-        const dvec3 towards = of_sun ? sun : -from_light / std::max(distance, 1e-300);
-        if (glm::dot(dmat3(to_light) * place.normal, towards) <= along_surface) return Shade::attached;
+PlaceByLight::PlaceByLight(const Shades& shades, std::size_t light, const ShadedPlace& place)
+    : light_(shades.lights_[light]), tracer_(*shades.tracers_[light]), place_(place) {
+    auto& last = shades.last_.local();
+    last.resize(shades.count());
+    last_ = &last[light];
+    const dmat4& to_light = tracer_.view().world_to_view;
+    const dmat3 turn(to_light);
+    seen_ = dvec3(to_light * dvec4(place.point, 1.0));
+    normal_ = turn * place.normal;
+    if (!shades.has_size(light)) return;
+    if (light_.kind == Light::area) {
+        for (const int k : {0, 1}) across_[k] = turn * light_.half_side[k];
+    } else if (tracer_.view().orthographic) {
+        for (const int k : {0, 1}) across_[k][k] = light_.radius;
+    } else {
+        const dvec3 way = unit_or_zero(seen_);
+        across_[0] = double(light_.radius) * unit_or_zero(glm::cross(way, least_axis(way)));
+        across_[1] = glm::cross(across_[0], way);
     }
-    const double cone = cone_of(light);
-    if (cone > -1.0 && glm::dot(from_light, light.direction) < cone * distance) return Shade::cast;
+}
+
+Shade PlaceByLight::by_part(const dvec2& part) const {
+    const dvec2 share = light_.kind == Light::area ? part : in_disk(part);
+    return by(share.x * across_[0] + share.y * across_[1]);
+}
+
+Shade PlaceByLight::by(const dvec3& moved) const {
+    const bool of_sun = tracer_.view().orthographic;
+    const dvec3 sun = glm::normalize(dvec3(0, 0, 1) + moved), from_light = of_sun ? -sun : seen_ - moved;
+    const double distance = of_sun ? 1.0 : glm::length(from_light);
+    if (!std::isfinite(distance + glm::length(seen_))) return Shade::cast;
+    if (normal_ != dvec3(0.0)) {
+        const dvec3 towards = of_sun ? sun : -from_light / std::max(distance, 1e-300);
+        if (glm::dot(normal_, towards) <= along_surface) return Shade::attached;
+    }
+    const double cone = cone_of(light_);
+    if (cone > -1.0 && glm::dot(from_light, light_.direction) < cone * distance) return Shade::cast;
     // What is on no facet may lie on others.
-    const double before = place.normal == dvec3(0.0) ? 1.0 - ray_margin : 1.0;
-    const dvec3 origin = of_sun ? seen - seen.z / sun.z * sun : moved;
-    auto& last = last_.local();
-    last.resize(lights_.size());
-    return tracer.is_blocked(origin, seen, before, place.ignore, last[number]) ? Shade::cast : Shade::lit;
+    const double before = normal_ == dvec3(0.0) ? 1.0 - ray_margin : 1.0;
+    const dvec3 origin = of_sun ? seen_ - seen_.z / sun.z * sun : moved;
+    return tracer_.is_blocked(origin, seen_, before, place_.ignore, *last_) ? Shade::cast : Shade::lit;
 }
 
 Shade Shades::at(const ShadedPlace& place) const {

@@ -79,9 +79,6 @@ class Shades {
 
     /// What one light does to a place.
     Shade by(std::size_t light, const ShadedPlace& place) const;
-    /// What a part of it does: of an area at this share of its half sides, each in [-1, 1]; of points, spots and suns
-    /// on the disk that is seen of them, into which the square is taken evenly.
-    Shade by_part(std::size_t light, const ShadedPlace& place, const dvec2& part) const;
     /// Whether parts of a light differ.
     bool has_size(std::size_t light) const;
     /// What all do: lit if one of them shines on it, or there is none; else in cast shadow if one would but for what is
@@ -91,14 +88,34 @@ class Shades {
     Array<Shade> at(In<ShadedPlace> places) const;
 
    private:
+    friend class PlaceByLight;
     std::vector<Light> lights_;
     std::vector<std::unique_ptr<const Tracer>> tracers_;  // per light, which is their eye
     /// Per light what hid it last: it mostly hides it from the next place, too. Does not change what is told.
     mutable tbb::enumerable_thread_specific<std::vector<Blocker>> last_;
+};
 
+/// A place as one light sees it, for one thread. The place and the Shades must outlive it.
+class PlaceByLight {
+   public:
+    PlaceByLight(const Shades& shades, std::size_t light, const ShadedPlace& place);
+
+    /// What the middle of the light does to it.
+    Shade by_middle() const { return by(dvec3(0.0)); }
+    /// What a part of it does: of an area at this share of its half sides, each in [-1, 1]; of points, spots and suns
+    /// on the disk that is seen of them, into which the square is taken evenly.
+    Shade by_part(const dvec2& part) const;
+
+   private:
     /// `moved`: from the eye, in the view of the light; of a sun from the direction to it.
-    Shade by(std::size_t light, const ShadedPlace& place, const dvec3& moved) const;
-    dvec3 moved_to(std::size_t light, const dvec3& seen, const dvec2& part) const;
+    Shade by(const dvec3& moved) const;
+
+    const Light& light_;
+    const Tracer& tracer_;
+    const ShadedPlace& place_;
+    Blocker* last_;                           // of this thread
+    dvec3 seen_, normal_;                     // in the view of the light
+    dvec3 across_[2] = {dvec3(0), dvec3(0)};  // of the light: its half sides, or axes of its disk
 };
 
 }  // namespace fovea::scene
