@@ -64,7 +64,7 @@ void expect_parity(const Lines& lines, Index floor, const Light& light, double z
     std::mt19937 random(7);
     std::uniform_real_distribution<double> place(-half, half);
     int wrong = 0, dark = 0, counted = 0;
-    for (int n = 0; n < 20000; ++n) {
+    for (int n = 0; n < 50000; ++n) {
         const dvec2 p(place(random), place(random)), out(173.1, 57.7);
         bool odd = false, near = false;
         for (const Segment& s : segments) {
