@@ -145,6 +145,23 @@ TEST(CastShadow, OfABoxIsTheHullOfItsCorners) {
     }
 }
 
+TEST(CastShadow, OfAPolygonWithTwoCornersInOnePlaceIsClosed) {
+    Mesh mesh("polygon", {{-1, -1, 2}, {1, -1, 2}, {1, 1, 2}, {1, 1, 2}, {-1, 1, 2}});
+    mesh.add_polygon({0, 1, 2, 3, 4});
+    const Lines found = shadows_of({place(mesh, dmat4(1.0), 1), floor_at(0.0)}, {sun(slanted)});
+    EXPECT_EQ(found.ids.size(), 1u);
+    EXPECT_EQ(found.closed, 1u);
+    EXPECT_NEAR(length(found.on(1)), 8.0, 1e-3);
+}
+
+TEST(CastShadow, OfAnEdgeWithoutEndEnds) {
+    Mesh mesh("blade", {{-1e20f, 0, 2}, {1e20f, 0, 2}, {0, 1, 2}});
+    mesh.add_polygon({0, 1, 2});
+    const Lines found =
+        shadows_of({place(mesh, dmat4(1.0), 1), place(grid(1), moved({0, 0, 0}), 2)}, {sun({0.1, 0.2, 1})});
+    for (const Segment& s : found.segments) EXPECT_TRUE(std::isfinite(s.length()));
+}
+
 TEST(CastShadow, OfASphereOnAnotherFulfilsTheEquationsOfBoth) {
     const dvec3 c(0, 0, 4), below(0.4, 0.2, 0);
     const Lines found = shadows_of(

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <random>
 
+#include <fovea/scene/light_view.h>
 #include <fovea/scene/seen.h>
 #include <fovea/scene/tracer.h>
 #include <fovea/visibility/depth.h>
@@ -134,6 +135,25 @@ TEST(Tracer, AWayIsBlockedWhereSomethingIsMetOnItWhateverWasInTheWayOfAnother) {
     }
     EXPECT_GT(blocked, 500);
     EXPECT_GT(ignored, 100);
+}
+
+TEST(Tracer, WaysFromFarAwayAreBlockedByASmallThingBesideALight) {
+    const Scene scene(
+        {place(grid(1), moved({0, 0, -0.02}) * scaled(dvec3(0.01)), 1), place(box(), moved({0, 0, -5}), 2)});
+    const Light lamp{.kind = Light::point, .position = dvec3(0.0)};
+    const View view = view_from(lamp, scene);
+    const Tracer tracer(scene, view);
+    std::mt19937 random(37);
+    std::uniform_real_distribution<double> share(-1.0, 1.0);
+    int wrong = 0;
+    for (int n = 0; n < 2000; ++n) {
+        const dvec3 on(0.01 - 1e-6 * (1.0 + share(random)), 0.009 * share(random), -0.02);
+        const dvec3 way = 150.0 * glm::normalize(dvec3(share(random), share(random), 1.5 + share(random)));
+        const auto seen = [&](const dvec3& p) { return dvec3(view.world_to_view * dvec4(p, 1.0)); };
+        scene::Blocker none_before;
+        wrong += !tracer.is_blocked(seen(on + way), seen(on - 0.001 * way), 1.0, nothing, none_before);
+    }
+    EXPECT_EQ(wrong, 0);
 }
 
 TEST(Tracer, IgnoredFacetsLetTheRayThrough) {

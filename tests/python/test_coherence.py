@@ -67,6 +67,15 @@ def test_a_line_without_dashes_pops_by_what_its_opacity_changes():
     assert told["slide_p95_px"] == told["stretch_p95"] == 0
 
 
+def test_of_what_has_no_dashes_neither_slide_nor_stretch_is_told():
+    steady = measures.Steadiness()
+    for _ in range(2):
+        steady.see(lines((0, 4)), seen)
+    told = steady.figures(dashed=False)
+    assert told["slide_median_px"] is told["slide_p95_px"] is told["stretch_median"] is told["stretch_p95"] is None
+    assert told["popping"] == 0
+
+
 def test_levels_blend_without_a_jump_in_ink():
     along = np.linspace(0, 1, 999)
     whole = PERIOD * np.array([2 - 1e-9, 2 + 1e-9])

@@ -130,16 +130,17 @@ class Steadiness:
         self.popping.append(np.abs(becomes - was)[before.length_px > LEAST])
         self.links.append((before.run[here], now.run[found.there], before.run, now.run))
 
-    def figures(self):
+    def figures(self, dashed=True):
+        """`dashed`: else nothing slides, nor is it stretched."""
         slide, stretch, popping = (
             np.concatenate(parts) if parts else np.zeros(0) for parts in (self.slide, self.stretch, self.popping)
         )
         return {
             "changes_per_frame": rounded(np.abs(np.diff(self.counts)).mean()),
-            "slide_median_px": at_share(slide, 0.5),
-            "slide_p95_px": at_share(slide, 0.95),
-            "stretch_median": at_share(stretch, 0.5),
-            "stretch_p95": at_share(stretch, 0.95),
+            "slide_median_px": at_share(slide, 0.5) if dashed else None,
+            "slide_p95_px": at_share(slide, 0.95) if dashed else None,
+            "stretch_median": at_share(stretch, 0.5) if dashed else None,
+            "stretch_p95": at_share(stretch, 0.95) if dashed else None,
             "blinks_per_1000": rounded(1000 * blinks(self.counts, self.links) / max(sum(self.counts), 1)),
             "popping": rounded(popping.mean()) if len(popping) else None,
         }

@@ -113,7 +113,7 @@ def measured(asked, lines):
         "scene": asked["scene"], "renderer": asked["renderer"], "lines": lines,
         "window": asked["window"], "marks": marks_of(asked, lines),
         "pure": is_pure(asked, lines, drawer, traces), "frame_s": round(float(np.median(seconds)), 4),
-        **steady.figures(),
+        **steady.figures(dashed=lines != coherence.ALONE),
     }  # fmt: skip
 
 

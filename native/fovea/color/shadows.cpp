@@ -68,7 +68,7 @@ ShadedPlace Shadows::place(Index placement, Index triangle, const dvec3& point) 
 }
 
 KnownLights Shadows::sampled(const ShadedPlace& place, int x, int y, const KnownLights& around) const {
-    const dvec2 part = part_of(part_at(x, y), around_px * around_px);
+    const dvec2 part = part_of(part_at(x, y), few_parts.count);
     KnownLights known;
     const auto tell = [&](LightBits bit, const auto& is_lit) {
         const bool lit = around.is_open(bit) ? is_lit() : (around.lit & bit) != 0;

@@ -38,7 +38,8 @@ struct PartsOfLights {
 inline constexpr PartsOfLights all_parts{64}, few_parts{16};
 inline PartsOfLights parts_of_sample(int sample) { return {all_parts.count / 16, sample}; }
 /// Every second pixel along each axis is looked at first, then all up to around_px from where those differ; of squares
-/// of around_px times as many pixels, those take 16 parts.
+/// of around_px times as many pixels, those take 16 parts. Any 5 x 5 pixels of those have a square of 4 x 4 of all
+/// parts.
 inline constexpr int first_px = 2, around_px = 4;
 
 class Shadows {

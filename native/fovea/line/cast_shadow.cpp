@@ -51,14 +51,14 @@ Array<Cast> shadows_of(const LightEye& eye, const Cancel& cancel) {
         const auto place = [&](Index v) { return dvec3(to_light * dvec4(dvec3(surface.positions[v]), 1.0)); };
         out = parallel_collect<Cast>(edges.size(), 64, [&](std::size_t begin, std::size_t end, auto& part) {
             Array<ShadowPiece> pieces;
-            ShadowsOfSegments shadows(eye);
+            DarkParts dark(eye);
             for (const Index e : In<Index>(edges).subspan(begin, end - begin)) {
                 pieces.clear();
                 const Edge& edge = surface.edges[e];
                 const dvec3 from = place(edge.x), to = place(edge.y);
                 const bool is_round = surface.sides(e).size() == 2 && field::turn_at(surface, e) < round_turn;
                 const double reach = is_round ? round_reach * glm::distance(from, to) : 0.0;
-                shadows.append({from, to, eye.tracer.ignore_at(placement, e), reach}, pieces);
+                append_shadow(eye, dark, {from, to, eye.tracer.ignore_at(placement, e), reach}, pieces);
                 for (Index n = 0; n < pieces.size(); ++n) part.push_back({pieces[n], placement, e, n});
             }
         });

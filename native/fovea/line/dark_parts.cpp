@@ -4,7 +4,7 @@
 namespace fovea::line {
 namespace {
 
-/// Points that are not surely nearer to what hides them than rays tell apart (LightEye::pass) are left to rays.
+/// Points that may be nearer to what hides them than rays tell apart (LightEye::pass) are left to rays.
 constexpr double certain = 3.0 * scene::ray_margin;
 
 }  // namespace

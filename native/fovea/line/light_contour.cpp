@@ -28,10 +28,10 @@ const Parameters<LightContour> parameters{
 
 constexpr float seen_strength = 0.5f;  // smooth contours below it are hidden behind cusps
 
-/// Steps along a piece at which light is looked for, at most, and to which share of it changes are found; where what is
-/// known to be dark ends, it is looked so often before that is halved.
-constexpr int most_steps = 1024, most_looks = 2;
+/// To which share of a step changes of light are found; where what is known to be dark ends, it is looked so often
+/// before that is halved.
 constexpr double shortest = 0x1p-20;
+constexpr int most_looks = 2;
 
 /// Calls part(from, to) for the intervals of [0, 1] that are lit. dark_at(t): a dark interval around t, or at t alone;
 /// empty where it is lit.
@@ -133,7 +133,7 @@ Curves in_light(const LightEye& eye, const Curves& pieces, Index placement, bool
             const double steps = std::ceil(glm::distance(a, b) / eye.step);
             if (!std::isfinite(steps)) continue;
             Index number = 0;
-            each_lit_part(int(std::clamp(steps, 1.0, double(most_steps))), dark_at, [&](double from, double to) {
+            each_lit_part(int(std::clamp(steps, 1.0, most_steps)), dark_at, [&](double from, double to) {
                 CurvePiece part = piece;
                 for (const int i : {0, 1}) {
                     const double t = i ? to : from;

@@ -8,6 +8,9 @@
 
 namespace fovea::line {
 
+/// Steps along a segment at which a light is asked, at most.
+inline constexpr double most_steps = 1024;
+
 class LightEye {
    public:
     const Light light;
@@ -24,9 +27,10 @@ class LightEye {
     }
     /// What a ray of light does that passes a point of an outline or a contour.
     struct Passing {
-        bool lit = false;                ///< it reaches the point; nothing else touches there
-        std::optional<Hit> hit = {};     ///< if it does: what it meets behind
-        std::optional<Hit> hidden = {};  ///< if it does not: what it meets before or there; nothing outside of its cone
+        bool lit = false;             ///< it reaches the point; nothing else touches there
+        std::optional<Hit> hit = {};  ///< if it does: what it meets behind
+        std::optional<Hit> hidden =
+            {};  ///< if it does not: what it meets before or there; none where it does not shine
     };
     Passing pass(const dvec3& point, const Ignore& ignore) const;
     /// Whether the light shines in the direction of a point, and that is not cut away by the section plane.

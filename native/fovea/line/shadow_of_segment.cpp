@@ -7,9 +7,10 @@
 namespace fovea::line {
 namespace {
 
-constexpr double most_steps = 1024;
 /// Shares of the scene's radius: the shortest step, and the gap up to which a shadow goes on over one surface.
 constexpr double finest = 0x1p-20, nearest = 0x1p-14;
+/// Shortest step of an endless segment, as a share of it, that numbers tell from none.
+constexpr double least_share = 0x1p-50;
 /// How often it is looked where what was met ends, before steps are halved: there may be many small triangles.
 constexpr int most_looks = 8;
 
@@ -21,11 +22,11 @@ class Shadow {
           segment_(segment),
           out_(out),
           length_(glm::distance(segment.from, segment.to)),
-          shortest_(finest * eye.radius / length_) {}
+          shortest_(std::max(finest * eye.radius / length_, least_share)) {}
 
     void trace() {
         const double wanted = length_ / eye_.step;
-        if (!std::isfinite(wanted) || !std::isfinite(shortest_)) return;
+        if (!std::isfinite(wanted)) return;
         dark_.next_segment(segment_.from, segment_.to, segment_.ignore);
         const int steps = static_cast<int>(std::clamp(std::ceil(wanted), 1.0, most_steps));
         At before = at(0.0);
@@ -188,8 +189,8 @@ class Shadow {
 
 }  // namespace
 
-void ShadowsOfSegments::append(const CastingSegment& segment, Array<ShadowPiece>& out) {
-    Shadow(eye_, dark_, segment, out).trace();
+void append_shadow(const LightEye& eye, DarkParts& dark, const CastingSegment& segment, Array<ShadowPiece>& out) {
+    Shadow(eye, dark, segment, out).trace();
 }
 
 }  // namespace fovea::line

@@ -21,21 +21,11 @@ struct ShadowPiece {
     bool starts = false, ends = false;  ///< its ends are shadows of the segment's ends
 };
 
-/// Shadows of segments that a light sees one after the other, best of neighbors: what hides one mostly hides the next.
-class ShadowsOfSegments {
-   public:
-    /// The eye must outlive it.
-    explicit ShadowsOfSegments(const LightEye& eye) : eye_(eye), dark_(eye) {}
-
-    /// Appends the shadow of the lit parts of a segment, in their order. It is followed by rays at the eye's steps,
-    /// where it is not known to be dark; where two neighboring rays meet different facets, to the edge between two
-    /// triangles, or to 2^-20 of the scene's radius, where it ends, as it falls over an edge or the segment is hidden
-    /// from the light: there first where what a ray has met ends, then by bisection.
-    void append(const CastingSegment& segment, Array<ShadowPiece>& out);
-
-   private:
-    const LightEye& eye_;
-    DarkParts dark_;
-};
+/// Appends the shadow of the lit parts of a segment, in their order. It is followed by rays at the eye's steps, where
+/// it is not known to be dark; where two neighboring rays meet different facets, to the edge between two triangles, or
+/// to 2^-20 of the scene's radius, where it ends, as it falls over an edge or the segment is hidden from the light:
+/// there first where what a ray has met ends, then by bisection. `dark`: of this eye, best of neighboring segments
+/// before.
+void append_shadow(const LightEye& eye, DarkParts& dark, const CastingSegment& segment, Array<ShadowPiece>& out);
 
 }  // namespace fovea::line

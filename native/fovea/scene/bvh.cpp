@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <tuple>
 
 #include <fovea/base/parallel.h>
@@ -32,27 +33,36 @@ struct Nearest final : RayContext {
 /// Ends at the first hit before the end of the ray.
 struct Blocked final : RayContext {
     using RayContext::RayContext;
-    Index found = none;  // triangle
-    Index placed = none;
+    Blocker found;
 
     void meet(Index triangle, const TriangleHit& hit) override {
-        if (found != none || hit.t >= far_t || ignored(triangle, hit.t)) return;
-        found = triangle;
-        placed = placement;
+        if (found.triangle != none || hit.t >= far_t || ignored(triangle, hit.t)) return;
+        found = {Index(instance - bvh.instances.data()), triangle};
         far_t = near_t;
+    }
+};
+
+/// A box in view space around a placement.
+struct Around {
+    dvec3 center, half{0.0};
+
+    Around(const Tracer::Bvh& bvh, Index placement) {
+        const Surface& surface = *bvh.scene.placements[placement].surface;
+        const dmat4& to_view = bvh.object_to_view[placement];
+        center = dvec3(to_view * dvec4(dvec3(surface.center), 1.0));
+        for (int k = 0; k < 3; ++k) half += glm::abs(dvec3(to_view[k])) * double(surface.half[k]);
+    }
+    double farthest() const {
+        const dvec3 size = glm::abs(center) + half;
+        return std::max({size.x, size.y, size.z});
     }
 };
 
 void box_of_instance(const RTCBoundsFunctionArguments* at) {
     const auto& bvh = *static_cast<const Tracer::Bvh*>(at->geometryUserPtr);
-    const Index placement = bvh.instances[at->primID].placement;
-    const Surface& surface = *bvh.scene.placements[placement].surface;
-    const dmat4& to_view = bvh.object_to_view[placement];
-    const dvec3 center(to_view * dvec4(dvec3(surface.center), 1.0));
-    dvec3 half(0.0);
-    for (int k = 0; k < 3; ++k) half += glm::abs(dvec3(to_view[k])) * double(surface.half[k]);
-    const dvec3 farthest = glm::abs(center) + half;
-    *at->bounds_o = box_between(center - half, center + half, std::max({farthest.x, farthest.y, farthest.z}));
+    const Around around(bvh, bvh.instances[at->primID].placement);
+    const double size = bvh.all_around ? bvh.size : around.farthest();
+    *at->bounds_o = box_between(around.center - around.half, around.center + around.half, size);
 }
 
 /// Leads the ray through an instance whose box it passes.
@@ -110,7 +120,8 @@ std::shared_ptr<const SurfaceBvh> bvh_of(const Surface& surface) {
     return {kept, kept->get()};
 }
 
-Tracer::Bvh::Bvh(const Scene& of) : scene(of), top(rtcNewScene(bvh_device())) {}
+Tracer::Bvh::Bvh(const Scene& of, bool from_anywhere)
+    : scene(of), top(rtcNewScene(bvh_device())), all_around(from_anywhere) {}
 
 void Tracer::Bvh::build(const Array<Index>& hiding) {
     const auto surface_of = [&](Index placement) { return scene.placements[placement].surface.get(); };
@@ -127,6 +138,8 @@ void Tracer::Bvh::build(const Array<Index>& hiding) {
         const auto at = std::ranges::lower_bound(surfaces, surface_of(hiding[i]), {}, &Version::surface);
         instances[i] = {hiding[i], at->bvh.get(), glm::dmat4x3(glm::inverse(object_to_view[hiding[i]]))};
     });
+    if (all_around)
+        for (const Index i : hiding) size = std::max(size, Around(*this, i).farthest());
     attach_boxes(top.get(), instances.size(), box_of_instance, pass_instance, this);
     build_bvh(top.get(), "scene");
 }
@@ -142,16 +155,21 @@ std::optional<Hit> Tracer::Bvh::trace(const Ray& ray, const Ignore& ignore) cons
     return nearest.found;
 }
 
-bool Tracer::Bvh::is_blocked(const Ray& ray, const Ignore& ignore, Blocker& last) const {
-    Blocked blocked(*this, ray, ignore);
-    if (last.instance != none && blocked.enter(instances[last.instance])) {
-        SurfaceBvh::lead_to(last.triangle, blocked);
-        if (blocked.found != none) return true;
+bool Tracer::Bvh::is_blocked(Ray ray, const Ignore& ignore, Blocker& last) const {
+    // It begins no farther away than where it meets a sphere around all, as boxes are large enough for such rays.
+    const double length = glm::length(ray.direction), radius = std::numbers::sqrt3 * size;
+    const double first = -glm::dot(ray.origin, ray.direction) / (length * length) - radius / length;
+    if (first > ray.near_t) {
+        ray.origin += first * ray.direction;
+        ray.near_t = 0.0;
+        ray.far_t -= first;
     }
-    lead(blocked);
-    if (blocked.found == none) return false;
-    const auto own = std::ranges::lower_bound(instances, blocked.placed, {}, &Instance::placement);
-    last = {Index(own - instances.begin()), blocked.found};
+    if (!(ray.near_t < ray.far_t)) return false;
+    Blocked blocked(*this, ray, ignore);
+    if (last.instance != none && blocked.enter(instances[last.instance])) SurfaceBvh::lead_to(last.triangle, blocked);
+    if (blocked.found.triangle == none) lead(blocked);
+    if (blocked.found.triangle == none) return false;
+    last = blocked.found;
     return true;
 }
 
@@ -175,20 +193,21 @@ RayContext::RayContext(const Tracer::Bvh& of, const Ray& ray, const Ignore& skip
     init_context(*this);
 }
 
-bool RayContext::enter(const Tracer::Bvh::Instance& instance) {
-    placement = instance.placement;
+bool RayContext::enter(const Tracer::Bvh::Instance& entered) {
+    instance = &entered;
+    placement = entered.placement;
     surface = bvh.scene.placements[placement].surface.get();
-    const glm::dmat4x3& to_object = instance.view_to_object;
+    const glm::dmat4x3& to_object = entered.view_to_object;
     const dvec3 along = to_object * dvec4(direction, 0.0);
     if (along == dvec3(0.0)) return false;
     local = ShearedRay(to_object * dvec4(origin, 1.0), along);
     return true;
 }
 
-bool RayContext::pass(const Tracer::Bvh::Instance& instance) {
-    if (!enter(instance)) return false;
+bool RayContext::pass(const Tracer::Bvh::Instance& entered) {
+    if (!enter(entered)) return false;
     const double before = far_t;
-    instance.surface->lead(*this);
+    entered.surface->lead(*this);
     return far_t != before;
 }
 

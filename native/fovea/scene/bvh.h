@@ -106,15 +106,17 @@ struct Tracer::Bvh {
     Array<dmat4> object_to_view;      // per placement
     std::vector<Instance> instances;  // by placement
     std::vector<Version> surfaces;    // by address
+    const bool all_around;            // rays begin anywhere, not at the eye
+    double size = 0.0;                // greatest coordinate of what is around
 
-    explicit Bvh(const Scene& of);
+    Bvh(const Scene& of, bool from_anywhere);
     /// The placements `hiding` hide, and are all that rays meet.
     void build(const Array<Index>& hiding);
     void lead(RayContext& context) const;
     /// The first of the hits that are not ignored.
     std::optional<Hit> trace(const Ray& ray, const Ignore& ignore) const;
-    /// Whether there is one before the end of the ray. `last`: asked first, and told.
-    bool is_blocked(const Ray& ray, const Ignore& ignore, Blocker& last) const;
+    /// Whether there is one before the end of the ray, which may begin anywhere. `last`: asked first, and told.
+    bool is_blocked(Ray ray, const Ignore& ignore, Blocker& last) const;
     /// The first if the ray meets that placement at all, which is quick to tell; else nothing.
     std::optional<Hit> trace_if_of(Index placement, const Ray& ray, const Ignore& ignore) const;
 };
@@ -128,7 +130,8 @@ struct RayContext : QueryContext {
     double far_t;          // hits beyond are of no interest
     const double reach_t;  // ignore.reach as a share of the ray's length
 
-    Index placement = none;  // where the ray is: the placement, and the ray in object space
+    const Tracer::Bvh::Instance* instance = nullptr;  // where the ray is, and the ray in object space
+    Index placement = none;
     const Surface* surface = nullptr;
     ShearedRay local;
     double first_t = 0.0, longest = 1.0;  // ray parameter at the begin of Embree's ray, and its t per ray parameter
@@ -136,9 +139,9 @@ struct RayContext : QueryContext {
     RayContext(const Tracer::Bvh& of, const Ray& ray, const Ignore& skipped);
     virtual ~RayContext() = default;
     /// Takes the ray to the space of an instance; false if it has no direction there.
-    bool enter(const Tracer::Bvh::Instance& instance);
+    bool enter(const Tracer::Bvh::Instance& entered);
     /// Leads the ray through an instance. Whether that shortened it.
-    bool pass(const Tracer::Bvh::Instance& instance);
+    bool pass(const Tracer::Bvh::Instance& entered);
     /// The ray meets a triangle between near_t and far_t. May shorten the ray.
     virtual void meet(Index triangle, const TriangleHit& hit) = 0;
 

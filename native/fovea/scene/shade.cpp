@@ -125,7 +125,8 @@ ShadedPlace ShadedSurface::at(Index triangle, const dvec3& point, bool contour) 
 
 Shades::Shades(const Scene& scene, std::size_t most) : Shades(scene, casting_lights(scene, most, false)) {}
 
-Shades::Shades(const Scene& scene, std::vector<Light> lights) : lights_(std::move(lights)) {
+Shades::Shades(const Scene& scene, std::vector<Light> lights)
+    : lights_(std::move(lights)), last_(std::vector<Blocker>(lights_.size())) {
     for (const Light& light : lights_)
         tracers_.push_back(std::make_unique<const Tracer>(scene, view_from(light, scene)));
 }
@@ -142,9 +143,7 @@ Shade Shades::by(std::size_t number, const ShadedPlace& place) const {
 
 PlaceByLight::PlaceByLight(const Shades& shades, std::size_t light, const ShadedPlace& place)
     : light_(shades.lights_[light]), tracer_(*shades.tracers_[light]), place_(place) {
-    auto& last = shades.last_.local();
-    last.resize(shades.count());
-    last_ = &last[light];
+    last_ = &shades.last_.local()[light];
     const dmat4& to_light = tracer_.view().world_to_view;
     const dmat3 turn(to_light);
     seen_ = dvec3(to_light * dvec4(place.point, 1.0));
@@ -156,12 +155,13 @@ PlaceByLight::PlaceByLight(const Shades& shades, std::size_t light, const Shaded
         for (const int k : {0, 1}) across_[k][k] = light_.radius;
     } else {
         const dvec3 way = unit_or_zero(seen_);
-        across_[0] = double(light_.radius) * unit_or_zero(glm::cross(way, least_axis(way)));
+        across_[0] = light_.radius * unit_or_zero(glm::cross(way, least_axis(way)));
         across_[1] = glm::cross(across_[0], way);
     }
 }
 
 Shade PlaceByLight::by_part(const dvec2& part) const {
+    if (across_[0] == dvec3(0.0) && across_[1] == dvec3(0.0)) return by_middle();
     const dvec2 share = light_.kind == Light::area ? part : in_disk(part);
     return by(share.x * across_[0] + share.y * across_[1]);
 }

@@ -14,7 +14,9 @@ ShadowVolume::ShadowVolume(In<dvec3> corners, const View& view, double margin) {
     for (const dvec3& corner : corners)
         if ((orthographic || view.near_clip > 0.0) && -corner.z < view.near_clip) return;
     const dvec3 away = facing > 0.0 ? normal : -normal;
-    const double reach = glm::length(corners[0]) * glm::length(away);
+    double farthest = 0.0;
+    for (const dvec3& corner : corners) farthest = std::max(farthest, glm::length(corner));
+    const double reach = farthest * glm::length(away);
     planes_[0] = dvec4(away, -glm::dot(away, corners[0]) - margin * (orthographic ? reach : std::abs(facing)));
     const std::size_t sides = corners.size();
     for (std::size_t i = 0; i < sides; ++i) {

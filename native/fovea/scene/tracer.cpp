@@ -32,7 +32,7 @@ Tracer::Tracer(const Scene& scene, const View& view)
       view_(view),
       clip_to_view_(glm::inverse(view.view_to_clip)),
       section_(section_in_view(scene, view)),
-      bvh_(std::make_unique<Bvh>(scene)) {
+      bvh_(std::make_unique<Bvh>(scene, !(view.near_clip > 0.0))) {
     bvh_->object_to_view.resize(scene.placements.size());
     bvh_->build(
         parallel_collect<Index>(scene.placements.size(), 4096, [&](std::size_t begin, std::size_t end, auto& hiding) {
@@ -74,8 +74,7 @@ std::optional<Hit> Tracer::along(const dvec3& point, const Ignore& ignore, doubl
 
 bool Tracer::is_blocked(const dvec3& origin, const dvec3& point, double before, const Ignore& ignore,
                         Blocker& last) const {
-    const Ray ray = behind_section({origin, point - origin, 0.0, before});
-    return ray.near_t < ray.far_t && bvh_->is_blocked(ray, ignore, last);
+    return bvh_->is_blocked(behind_section({origin, point - origin, 0.0, before}), ignore, last);
 }
 
 Ray Tracer::ray_beyond(const vec3& point) const {

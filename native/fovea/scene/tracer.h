@@ -115,8 +115,9 @@ class Tracer {
     /// the point. In double precision.
     std::optional<Hit> along(const dvec3& point, const Ignore& ignore, double near_t = 0.0) const;
 
-    /// Whether any surface is on the way from `origin` to `point`, wherever both are, before the share `before` of it.
-    /// In double precision. `last`: in the way of a ray like it, which is asked first; then what is in the way of this.
+    /// Whether any surface is on the way from `origin` to `point`, before the share `before` of it: wherever both are,
+    /// if the view has no near plane, else `origin` is the eye. In double precision. `last`: in the way of a ray like
+    /// it, which is asked first; then what is in the way of this.
     bool is_blocked(const dvec3& origin, const dvec3& point, double before, const Ignore& ignore, Blocker& last) const;
 
     /// The nearest surface beyond `point` on the ray from the eye through it.
