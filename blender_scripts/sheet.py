@@ -12,17 +12,21 @@ import picture
 from bl_ext.user_default.fovea.scene import line_kinds
 from bl_ext.user_default.fovea.style import style_data
 from command import output
+from mathutils import Vector
 
 ASPECT = 16 / 9  # target aspect ratio of a sheet
 LABEL, LETTERS = 0.12, 0.06  # heights of the strip below a tile and of its letters, as fractions of the tile's height
 SHAPE = "contour"  # drawn thinly in every tile, to show the shape
 SHAPE_PEN = {"width": 1.6, "color": (0.25, 0.25, 0.25), "taper": 0.0}
 PEN = {"width": 5.0, "color": (0.0, 0.0, 0.0), "taper": 0.0}
+SUN = (-0.8, 1.0, 1.0)  # towards it, as the camera sees it; where the scene has no light
 
 
 def render(scene, definitions, path):
     """Writes a sheet of those definitions that the scene's style draws to `path`, an 8-bit gray PNG; without those that
     lack their file."""
+    if not any(obj.type == "LIGHT" for obj in scene.objects):
+        add_sun(scene)
     held = style_data.own(scene)
     drawn = style_data.drawn_kinds(held)
     shown = [
@@ -45,6 +49,14 @@ def render(scene, definitions, path):
         tiles = [np.minimum(shape, draw({definition["name"]}, PEN)) for definition in shown]
         labels = draw_labels([d["label"] for d in shown], columns, rows, size, tile)
     save(paste(tiles, labels, columns), path)
+
+
+def add_sun(scene):
+    """By which there are light contours and shadows."""
+    sun = bpy.data.objects.new("Sun", bpy.data.lights.new("Sun", "SUN"))
+    seen = Vector(SUN).to_track_quat("Z", "Y")
+    sun.rotation_euler = (scene.camera.matrix_world.to_quaternion() @ seen).to_euler()
+    scene.collection.objects.link(sun)
 
 
 def lacks_file(held, definition):

@@ -142,6 +142,20 @@ def test_a_sheet_has_a_labelled_tile_for_every_definition(contact_sheet):
     assert len({tile.tobytes() for tile in drawn_tiles}) == len(NAMES)
 
 
+def test_on_a_sheet_what_has_no_light_is_in_a_sun(tmp_path):
+    scene = empty_scene()
+    new_object(landscape_mesh(), "Landscape")
+    new_object(box_mesh(0.4), "Box", (0.3, 0.2, 1.2))
+    add_camera((3.4, -5, 3.6), (0, -0.1, 0))
+    use_style(scene, "plain")
+    bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "dark.blend"))
+    path, words = tmp_path / "sheet.png", ["--sheet", "--lines", "light_contour,cast_shadow"]
+    draw.main([*map(str, (tmp_path / "dark.blend", "-o", path)), *words, "--size", f"{TILE[0]}x{TILE[1]}"])
+    page, (width, height) = ink(pixels_of(path))[::-1], TILE
+    assert page.shape == (height + sheet.strip(TILE), 2 * width)
+    assert all((tile[:height] > 0.7).mean() > 0.001 for tile in np.split(page, 2, axis=1))
+
+
 def test_a_sheet_is_a_small_gray_file(contact_sheet):
     header = contact_sheet.read_bytes()[24:26]  # bit depth and color type of a PNG
     assert tuple(header) == (8, 0)
