@@ -52,8 +52,8 @@ TEST(DarkParts, OfSegmentsOneAfterTheOtherAreDarkByRays) {
                 const double t = share(random);
                 Interval part = parts.known(t);
                 without_ray += !part.is_empty();
-                if (const LightEye::Passing at = by_ray(t); at.hidden && part.is_empty())
-                    part = parts.hidden_by(*at.hidden, t);
+                if (const LightEye::Passing at = by_ray(t); !at.lit && at.hit && part.is_empty())
+                    part = parts.hidden_by(*at.hit, t);
                 if (part.is_empty()) {
                     lit += by_ray(t).lit;
                     continue;

@@ -29,13 +29,30 @@ View seen(bool orthographic, double near_clip) {
     return view;
 }
 
+/// Points of segments, by whether they are hidden.
+struct Points {
+    int inside = 0, outside = 0;
+
+    /// Of a segment of which `found` is said to be hidden, beside the ends of that; is_hidden(t) tells.
+    template <typename IsHidden>
+    void expect(const Interval& found, const IsHidden& is_hidden) {
+        for (int i = 0; i <= 40; ++i) {
+            const double t = i / 40.0;
+            if (std::min(std::abs(t - found.begin), std::abs(t - found.end)) < 1e-6) continue;
+            EXPECT_EQ(found.holds(t), is_hidden(t)) << t;
+            ++(found.holds(t) ? inside : outside);
+        }
+    }
+};
+
 }  // namespace
 
 TEST(ShadowVolume, IsWhereTheTriangleHides) {
     std::mt19937 random(17);
     std::uniform_real_distribution<double> side(-2, 2), deep(-8, -1);
     const auto any = [&] { return dvec3(side(random), side(random), deep(random)); };
-    int inside = 0, outside = 0, segments = 0;
+    Points points;
+    int segments = 0;
     for (int k = 0; k < 4000; ++k) {
         const bool orthographic = k % 2;
         const dvec3 corners[3] = {any(), any(), any()};
@@ -44,15 +61,11 @@ TEST(ShadowVolume, IsWhereTheTriangleHides) {
         const dvec3 a = any(), b = any();
         const Interval found = shadow.hides(a, b);
         segments += found.begin <= found.end;
-        for (int i = 0; i <= 40; ++i) {
-            const double t = i / 40.0;
-            if (std::min(std::abs(t - found.begin), std::abs(t - found.end)) < 1e-6) continue;
-            EXPECT_EQ(found.holds(t), hidden(corners, orthographic, glm::mix(a, b, t), 1e-9)) << k << " at " << t;
-            ++(found.holds(t) ? inside : outside);
-        }
+        SCOPED_TRACE(k);
+        points.expect(found, [&](double t) { return hidden(corners, orthographic, glm::mix(a, b, t), 1e-9); });
     }
-    EXPECT_GT(inside, 1000);
-    EXPECT_GT(outside, 1000);
+    EXPECT_GT(points.inside, 1000);
+    EXPECT_GT(points.outside, 1000);
     EXPECT_GT(segments, 200);
 }
 
@@ -73,14 +86,11 @@ TEST(ShadowVolume, OfAQuadrilateralIsThatOfItsHalves) {
         const dvec3 a = any(), b = any();
         const Interval found = whole.hides(a, b);
         segments += found.begin <= found.end;
-        for (int i = 0; i <= 40; ++i) {
-            const double t = i / 40.0;
-            if (std::min(std::abs(t - found.begin), std::abs(t - found.end)) < 1e-6) continue;
+        SCOPED_TRACE(k);
+        Points().expect(found, [&](double t) {
             const dvec3 p = glm::mix(a, b, t);
-            EXPECT_EQ(found.holds(t),
-                      hidden(halves[0], orthographic, p, 1e-9) || hidden(halves[1], orthographic, p, 1e-9))
-                << k << " at " << t;
-        }
+            return hidden(halves[0], orthographic, p, 1e-9) || hidden(halves[1], orthographic, p, 1e-9);
+        });
     }
     EXPECT_GT(segments, 100);
 }
@@ -122,19 +132,15 @@ TEST(ShadowVolume, OfALightIsAllAroundIt) {
     std::mt19937 random(19);
     std::uniform_real_distribution<double> side(-3, 3);
     const auto any = [&] { return dvec3(side(random), side(random), side(random)); };
-    int inside = 0, outside = 0;
+    Points points;
     for (int k = 0; k < 4000; ++k) {
         const dvec3 corners[3] = {any(), any(), any()}, a = any(), b = any();
         const Interval found = ShadowVolume(corners, seen(false, 0.0), 1e-9).hides(a, b);
-        for (int i = 0; i <= 40; ++i) {
-            const double t = i / 40.0;
-            if (std::min(std::abs(t - found.begin), std::abs(t - found.end)) < 1e-6) continue;
-            EXPECT_EQ(found.holds(t), hidden(corners, false, glm::mix(a, b, t), 1e-9)) << k << " at " << t;
-            ++(found.holds(t) ? inside : outside);
-        }
+        SCOPED_TRACE(k);
+        points.expect(found, [&](double t) { return hidden(corners, false, glm::mix(a, b, t), 1e-9); });
     }
-    EXPECT_GT(inside, 500);
-    EXPECT_GT(outside, 1000);
+    EXPECT_GT(points.inside, 500);
+    EXPECT_GT(points.outside, 1000);
 }
 
 TEST(ShadowVolume, CoversWhatIsBeforeThePolygonToo) {

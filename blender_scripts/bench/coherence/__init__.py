@@ -78,10 +78,10 @@ def main(words, blender, environment, shared: Path | None) -> int:
     rows, failed = [], False
     for scene in options.scenes:
         for renderer in options.renderers:
-            print(f"fovea: {scene}, {renderer}", file=sys.stderr, flush=True)
             lines = [name for name in options.lines if renderer == "fovea" or name != ALONE]
             if not lines:
                 continue
+            print(f"fovea: {scene}, {renderer}", file=sys.stderr, flush=True)
             asked = {
                 "scene": scene, "renderer": renderer, "lines": lines, "anchor": options.anchor,
                 "window": options.window if renderer == "fovea" else 0,

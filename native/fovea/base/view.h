@@ -29,6 +29,9 @@ struct View {
     /// The camera's full frame, of which a render border or viewport may show a part: left, lower, width, height, in px
     /// of this image.
     dvec4 frame{0.0};
+
+    /// A light's view, of all around it, has none (scene/light_view.h).
+    bool has_near_plane() const { return near_clip > 0.0; }
 };
 
 /// Throws std::invalid_argument for a view that shows nothing.

@@ -79,7 +79,7 @@ class Layer {
                     const bool is_first = x % first_px == 0 && y % first_px == 0;
                     const std::size_t i = std::size_t(y) * view_.width + x;
                     if (is_first == again) return;
-                    if (again && !shadows_->is_open(first[i])) {
+                    if (!shadows_->is_open(first[i])) {
                         known[i] = first[i];
                         return;
                     }

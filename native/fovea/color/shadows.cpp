@@ -48,9 +48,10 @@ Shadows::Shadows(const Tracer& tracer, std::vector<Light> casters, const style::
     : view_to_world_(glm::inverse(tracer.view().world_to_view)),
       world_to_view_(tracer.view().world_to_view),
       strength_(float(style.shadow)),
-      blacks_(style.blacks > 0.0),
       shades_(tracer.scene(), std::move(casters)),
       surfaces_(tracer.scene().placements.size()) {
+    for (std::size_t i = 0; i < shades_.count(); ++i)
+        asked_ |= LightBits((strength_ > 0.0f ? of_part(i) : 0) | (style.blacks > 0.0 ? of_middle(i) : 0));
     const dvec4 viewer = view_to_world_ * (tracer.view().orthographic ? dvec4(0, 0, 1, 0) : dvec4(0, 0, 0, 1));
     parallel_for(surfaces_.size(), 1, [&](std::size_t i) {
         if (in_frame(tracer.scene().placements[i], tracer.view(), 0.1))
@@ -71,22 +72,15 @@ KnownLights Shadows::sampled(const ShadedPlace& place, int x, int y, const Known
     const dvec2 part = part_of(part_at(x, y), few_parts.count);
     KnownLights known;
     const auto tell = [&](LightBits bit, const auto& is_lit) {
-        const bool lit = around.is_open(bit) ? is_lit() : (around.lit & bit) != 0;
+        if (!(asked_ & bit)) return;
+        const bool lit = around.open(bit) ? is_lit() : (around.lit & bit) != 0;
         (lit ? known.lit : known.dark) |= bit;
     };
     for (std::size_t i = 0; i < shades_.count(); ++i) {
-        const auto middle = [&] { return shades_.by(i, place) == Shade::lit; };
-        const auto lit = [&] { return scene::PlaceByLight(shades_, i, place).by_part(part) == Shade::lit; };
-        if (strength_ > 0.0f) tell(of_part(i), lit);
-        if (blacks_) tell(of_middle(i), middle);
+        tell(of_part(i), [&] { return scene::PlaceByLight(shades_, i, place).by_part(part) == Shade::lit; });
+        tell(of_middle(i), [&] { return shades_.by(i, place) == Shade::lit; });
     }
     return known;
-}
-
-bool Shadows::is_open(const KnownLights& around) const {
-    for (std::size_t i = 0; i < shades_.count(); ++i)
-        if ((strength_ > 0.0f && around.is_open(of_part(i))) || (blacks_ && around.is_open(of_middle(i)))) return true;
-    return false;
 }
 
 float Shadows::share(std::size_t light, const ShadedPlace& place, const PartsOfLights& asked) const {
@@ -114,7 +108,7 @@ void Shadows::leave(const ShadedPlace& place, const KnownLights& around, const P
     if (!(strength_ > 0.0f)) return;
     for (std::size_t i = 0; i < shades_.count(); ++i) {
         const LightBits bit = of_part(i);
-        const float lit = around.is_open(bit) ? share(i, place, parts) : float((around.lit & bit) != 0);
+        const float lit = around.open(bit) ? share(i, place, parts) : float((around.lit & bit) != 0);
         reach.left[i] = 1.0f - strength_ * (1.0f - lit);
     }
 }
@@ -122,7 +116,7 @@ void Shadows::leave(const ShadedPlace& place, const KnownLights& around, const P
 void Shadows::see_middles(const ShadedPlace& place, const KnownLights& around, Reach& reach) const {
     for (std::size_t i = 0; i < shades_.count(); ++i) {
         const LightBits bit = of_middle(i);
-        const bool lit = around.is_open(bit) ? shades_.by(i, place) == Shade::lit : (around.lit & bit) != 0;
+        const bool lit = around.open(bit) ? shades_.by(i, place) == Shade::lit : (around.lit & bit) != 0;
         reach.middle[i] = lit ? 1.0f : 0.0f;
     }
 }

@@ -20,8 +20,8 @@ struct KnownLights {
     LightBits lit = 0, dark = 0;
 
     LightBits differ() const { return lit & dark; }
-    /// Whether rays decide: places differ, or there is none.
-    bool is_open(LightBits bit) const { return !(lit & bit) == !(dark & bit); }
+    /// Those of some of which rays decide: places differ, or there is none.
+    LightBits open(LightBits of) const { return LightBits(~(lit ^ dark) & of); }
     void operator|=(const KnownLights& other) {
         lit |= other.lit;
         dark |= other.dark;
@@ -54,7 +54,8 @@ class Shadows {
     /// What reaches the place at the center of a pixel, of each light a part that depends on the pixel; of lights that
     /// do not differ around it, as is known.
     KnownLights sampled(const ShadedPlace& place, int x, int y, const KnownLights& around) const;
-    bool is_open(const KnownLights& around) const;
+    /// Whether rays decide of any light.
+    bool is_open(const KnownLights& around) const { return around.open(asked_) != 0; }
     /// What shadows leave of the lights at a place: of those that differ around it by rays to parts of each, of others
     /// as is known.
     void leave(const ShadedPlace& place, const KnownLights& around, const PartsOfLights& parts, Reach& reach) const;
@@ -67,8 +68,8 @@ class Shadows {
     dmat4 view_to_world_;
     dmat3 world_to_view_;
     float strength_;
-    bool blacks_;
     scene::Shades shades_;
+    LightBits asked_ = 0;                                                // of all lights, what the style needs to know
     std::vector<std::unique_ptr<const scene::ShadedSurface>> surfaces_;  // per placement; null: outside of the frame
 };
 

@@ -128,7 +128,7 @@ Curves in_light(const LightEye& eye, const Curves& pieces, Index placement, bool
                     return by ? dark.hidden_by(*by, t) : Interval{};
                 }
                 const LightEye::Passing way = eye.pass(point, ignore);
-                return way.lit ? Interval{} : way.hidden ? dark.hidden_by(*way.hidden, t) : Interval{t, t};
+                return way.lit ? Interval{} : way.hit ? dark.hidden_by(*way.hit, t) : Interval{t, t};
             };
             const double steps = std::ceil(glm::distance(a, b) / eye.step);
             if (!std::isfinite(steps)) continue;

@@ -38,7 +38,7 @@ LightEye::Passing LightEye::pass(const dvec3& point, const Ignore& ignore) const
     const double margin = 2.0 * scene::ray_margin * std::min(distance, radius) / distance;
     if (hit->t > 1.0 + margin) return {.lit = true, .hit = hit};
     // Where a body stands on another, its edges are the outline of what it hides; it casts nothing there.
-    if (hit->t < 1.0 - margin || !is_one_body(*hit, ignore)) return {.hidden = hit};
+    if (hit->t < 1.0 - margin || !is_one_body(*hit, ignore)) return {.lit = false, .hit = hit};
     return {.lit = true, .hit = tracer.along(point, ignore, 1.0 + margin)};
 }
 

@@ -27,10 +27,9 @@ class LightEye {
     }
     /// What a ray of light does that passes a point of an outline or a contour.
     struct Passing {
-        bool lit = false;             ///< it reaches the point; nothing else touches there
-        std::optional<Hit> hit = {};  ///< if it does: what it meets behind
-        std::optional<Hit> hidden =
-            {};  ///< if it does not: what it meets before or there; none where it does not shine
+        bool lit = false;  ///< it reaches the point; nothing else touches there
+        std::optional<Hit> hit =
+            {};  ///< what it meets: behind the point if it is lit, else before or there, if it shines
     };
     Passing pass(const dvec3& point, const Ignore& ignore) const;
     /// Whether the light shines in the direction of a point, and that is not cut away by the section plane.

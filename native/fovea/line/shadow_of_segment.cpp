@@ -52,9 +52,9 @@ class Shadow {
         if (const Interval dark = dark_.known(t); !dark.is_empty()) return {.t = t, .dark = dark};
         const dvec3 passed = t == 1.0 ? segment_.to : glm::mix(segment_.from, segment_.to, t);
         const LightEye::Passing way = eye_.pass(passed, segment_.ignore);
-        if (way.hidden) return {.t = t, .dark = dark_.hidden_by(*way.hidden, t)};
         const auto& hit = way.hit;
         if (!hit) return {t};
+        if (!way.lit) return {.t = t, .dark = dark_.hidden_by(*hit, t)};
         const dvec3 point = eye_.on_ray(passed, hit->t);
         if (!std::isfinite(point.x + point.y + point.z)) return {t};
         if (glm::distance(point, passed) < segment_.reach && eye_.is_one_body(*hit, segment_.ignore)) return {t};

@@ -12,7 +12,7 @@ ShadowVolume::ShadowVolume(In<dvec3> corners, const View& view, double margin) {
     if (facing == 0.0) return;
     // Without a near plane, as from a light, corners may be all around.
     for (const dvec3& corner : corners)
-        if ((orthographic || view.near_clip > 0.0) && -corner.z < view.near_clip) return;
+        if (view.has_near_plane() && -corner.z < view.near_clip) return;
     const dvec3 away = facing > 0.0 ? normal : -normal;
     double farthest = 0.0;
     for (const dvec3& corner : corners) farthest = std::max(farthest, glm::length(corner));

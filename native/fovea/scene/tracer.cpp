@@ -32,7 +32,7 @@ Tracer::Tracer(const Scene& scene, const View& view)
       view_(view),
       clip_to_view_(glm::inverse(view.view_to_clip)),
       section_(section_in_view(scene, view)),
-      bvh_(std::make_unique<Bvh>(scene, !(view.near_clip > 0.0))) {
+      bvh_(std::make_unique<Bvh>(scene, !view.has_near_plane())) {
     bvh_->object_to_view.resize(scene.placements.size());
     bvh_->build(
         parallel_collect<Index>(scene.placements.size(), 4096, [&](std::size_t begin, std::size_t end, auto& hiding) {
@@ -59,7 +59,7 @@ Ray Tracer::ray_to(const vec3& point) const {
                                length > margin ? 1.0f - margin / length : -1.0f});
     }
     // Without a near plane, as from a light, there are points all around.
-    const float near_t = view_.near_clip > 0.0 ? static_cast<float>(view_.near_clip) / -point.z : 0.0f;
+    const float near_t = view_.has_near_plane() ? static_cast<float>(view_.near_clip) / -point.z : 0.0f;
     return behind_section({vec3(0.0f), point, near_t, static_cast<float>(1.0 - ray_margin)});
 }
 
