@@ -1054,6 +1054,10 @@ class Scene:
     def __len__(self) -> int: ...
     def surface(self, placement: int) -> Surface: ...
 
+class Pose:
+    """Where the surfaces of a scene are, as its view sees them; a copy, which outlives both."""
+    def __init__(self, scene: Scene, view: View) -> None: ...
+
 class Tracer:
     """Rays through a scene as a view sees it (Embree)."""
     def __init__(self, scene: Scene, view: View) -> None: ...
@@ -1383,7 +1387,7 @@ class Frame:
         view: View,
         style: style.Style,
         *,
-        options: Options=Options(visibility='exact', sample_step=2.0, depth_scale=2, probes=9, layers=3, gap=3.0, spur=1.0, contour_spur=10.0, fold=30.0, tip=6.0, dot=3.0, joint=2.0, fair=1.5, meet=8.0, beside=4.0, least_hidden=6.0, outlines=(), all_paths=False, focus_step=1, with_depth=False, with_focus=False, with_hidden=False, with_line_sets=False, with_line_depth=False, with_line_id=False, boil_drawing=0, matte_ranks=0),
+        options: Options=Options(visibility='exact', sample_step=2.0, depth_scale=2, probes=9, layers=3, gap=3.0, spur=1.0, contour_spur=10.0, fold=30.0, tip=6.0, dot=3.0, joint=2.0, fair=1.5, meet=8.0, beside=4.0, least_hidden=6.0, outlines=(), all_paths=False, focus_step=1, with_depth=False, with_focus=False, with_hidden=False, with_line_sets=False, with_line_depth=False, with_line_vector=False, with_line_id=False, boil_drawing=0, matte_ranks=0),
         assets: Assets | None=None,
         backend: Backend | None=None,
         overrides: Overrides | None=None,
@@ -1391,15 +1395,17 @@ class Frame:
         near: Mapping[int, NearLines]={},
         since_key: int=0,
         baked_marks: Annotated[ArrayLike, numpy.float64] | None=None,
+        poses: Mapping[int, Pose]={},
         exposure: Exposure | None=None,
         files: Mapping[str, FileContent]={},
         cancel: Cancel | None=None,
         progress: Callable | None=None,
     ) -> None:
         """near: {how many frames later another is: its NearLines}; since_key: how many frames earlier the last key of
-        marks is (Animation.since_key); baked_marks: (n,) float64 of its own lines, in place of those handed on;
-        exposure: an Exposure, whose ink is drawn in place of the frame's own; files: {path as the style has it:
-        FileContent}, others are missing; progress(share, stage) is called before each stage."""
+        marks is (Animation.since_key); baked_marks: (n,) float64 of its own lines, in place of those handed on; poses:
+        of the frames before and after, {-1: Pose, 1: Pose}, either of which may be missing, for line vectors; exposure:
+        an Exposure, whose ink is drawn in place of the frame's own; files: {path as the style has it: FileContent},
+        others are missing; progress(share, stage) is called before each stage."""
     def find(self) -> None: ...
     def see(self) -> None: ...
     def filter(self) -> None: ...
@@ -1589,6 +1595,8 @@ class Options:
     def with_line_sets(self) -> bool: ...
     @property
     def with_line_depth(self) -> bool: ...
+    @property
+    def with_line_vector(self) -> bool: ...
     @property
     def with_line_id(self) -> bool: ...
     @property

@@ -38,6 +38,7 @@ def frame(
     notes=None,
     colors=None,
     near=None,
+    poses=None,
     exposure=None,
     progress=None,
     cancel=None,
@@ -45,8 +46,9 @@ def frame(
     """A native Frame for a native Scene, a native View and a Style; no stage of it has run yet.
 
     `asked`: native Options. `notes`: native Overrides, per placement. `colors`: native ColorSources, needed if the
-    style has a color layer. `near`: a Near, needed if there are `frames_near`. `exposure`: a native Exposure, whose
-    ink it has in place of its own.
+    style has a color layer. `near`: a Near, needed if there are `frames_near`. `poses`: {-1: native Pose of the frame
+    before, 1: of the one after}, needed for line vectors. `exposure`: a native Exposure, whose ink it has in place of
+    its own.
     `progress(share, stage)` is called before each stage, with the share done in [0, 1]. `cancel`: native Cancel."""
     core = native.load()
     with native.refusals():
@@ -62,6 +64,7 @@ def frame(
             near=near.lines if near else {},
             since_key=near.since_key if near else 0,
             baked_marks=near.marks if near else None,
+            poses=poses or {},
             exposure=exposure,
             files=line_files.contents(chosen),
             cancel=cancel,

@@ -41,6 +41,7 @@ class Image:
     hidden_lines: np.ndarray | None = None  # (H, W, 4) float32
     line_sets: dict = field(default_factory=dict)  # {name: (H, W, 4) float32}
     line_depth: np.ndarray | None = None  # (H, W) float32, distance along the view direction
+    line_vector: np.ndarray | None = None  # (H, W, 4) float32, pixels
     line_id: np.ndarray | None = None  # (H, W) float32
     mattes: list = field(default_factory=list)  # (H, W, 4) float32, two ranks each: id, coverage, id, coverage
     statistics: dict = field(default_factory=dict)

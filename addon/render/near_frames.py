@@ -94,6 +94,18 @@ def near(engine, depsgraph, offsets, look, kept=()):
     return Near(lines)
 
 
+def beside(engine, depsgraph, look):
+    """{-1: of the frame before the one that is rendered, 1: of the one after it}: what look() gives of the frame that
+    the depsgraph is evaluated at. Without those that have another active camera."""
+    found, seen_by = {}, camera.chosen(engine, depsgraph)
+    with other_frames(engine, depsgraph.scene) as go:
+        for away in (-1, 1):
+            go(away)
+            if camera.chosen(engine, depsgraph) == seen_by:
+                found[away] = look()
+    return found
+
+
 def changed(engine, depsgraph, content_now):
     """Whether the frame that is rendered was looked at when its content was another one: then all is forgotten."""
     looked = _frames.get(_key(engine, depsgraph))

@@ -34,6 +34,11 @@ class Pass:
     lacking: str = ""  # why renders do not have it then
     below: bool = False  # of what lies below the lines: scenes that draw lines alone have none
 
+    @property
+    def kind(self):
+        """As what Blender's compositor has it."""
+        return {"R": "COLOR", "r": "COLOR", "X": "VECTOR"}[self.channels[0]] if len(self.channels) > 1 else "VALUE"
+
     def is_on(self, layer):
         return not self.switch or layer.path_resolve(self.switch)
 
@@ -73,6 +78,15 @@ PASSES = (
         "Distance of the nearest line at each pixel, along the view axis",
         switch="fovea.line_depth",
         option="with_line_depth",
+    ),
+    Pass(
+        "LineVector",
+        "XYZW",
+        "line_vector",
+        "Line Vector",
+        "How the nearest line at each pixel moves from the frame before and to the next one, for Vector Blur",
+        switch="fovea.line_vector",
+        option="with_line_vector",
     ),
     Pass(
         "LineId",

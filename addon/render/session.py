@@ -57,8 +57,7 @@ def register_passes(engine, scene_, layer):
     engine.register_pass(scene_, layer, "Combined", 4, "RGBA", "COLOR")
     for each, names in wanted_passes(scene_, layer).items():
         for name in names:
-            kind = "COLOR" if len(each.channels) == 4 else "VALUE"
-            engine.register_pass(scene_, layer, name, len(each.channels), each.channels, kind)
+            engine.register_pass(scene_, layer, name, len(each.channels), each.channels, each.kind)
 
 
 def _style_of(scene_):
@@ -83,7 +82,7 @@ def render(engine, depsgraph, also=None):
             lines_scenes.note(depsgraph.scene, message)
 
     with reported(tell, what):
-        if made := final(engine, depsgraph, make=partial(draw, also=also), exposed=True):
+        if made := final(engine, depsgraph, make=partial(draw, also=also), in_time=True):
             note_statistics(*made)
             layer, objects = depsgraph.view_layer, made[0].snapshot.drawn
             filled = passes.filled(made[1], layer, properties.line_set_names(followed.of(depsgraph.scene)))
@@ -123,10 +122,10 @@ def gather(engine, depsgraph, chosen, viewport=None, with_colors=True, cancel=No
     return found
 
 
-def draw(found, seen, chosen, backend, options, progress, cancel, near=None, also=None, exposure=None):
+def draw(found, seen, chosen, backend, options, progress, cancel, near=None, also=None, **in_time):
     """The Image of a Read scene in a native View; accesses no Blender data unless the backend does. `near`: a
-    pipeline.Near, for lines that answer to frames near this one. `also`, `exposure`: as for `pipeline.draw`."""
-    beside = {"colors": found.colors, "notes": found.notes, "near": near, "also": also, "exposure": exposure}
+    pipeline.Near, for lines that answer to frames near this one. `also`, `in_time`: as for `pipeline.draw`."""
+    beside = {"colors": found.colors, "notes": found.notes, "near": near, "also": also, **in_time}
     return pipeline.draw(found.placed, seen, chosen, backend, options, **beside, progress=progress, cancel=cancel)
 
 
@@ -137,11 +136,12 @@ def final_image(engine, depsgraph, **how):
     return made and made[1]
 
 
-def final(engine, depsgraph, make=draw, *, chosen=None, lines_alone=False, exposed=False, tell=None):
+def final(engine, depsgraph, make=draw, *, chosen=None, lines_alone=False, in_time=False, tell=None):
     """(Read, result of `make`, seconds spent on other frames) for a final render of the depsgraph's scene, or None if
-    the user canceled it. `make`: called with the arguments of `draw`, and with `exposure` if `exposed` and the scene
-    has motion blur of lines. `chosen`: a Style in place of the scene's own. `lines_alone`: without colors and without
-    passes but Lines. `tell(share, stage)` receives the progress; None: Blender's progress bar does."""
+    the user canceled it. `make`: called with the arguments of `draw`; if `in_time`, with `exposure` where the scene has
+    motion blur of lines, and with `poses` where it has line vectors. `chosen`: a Style in place of the scene's own.
+    `lines_alone`: without colors and without passes but Lines. `tell(share, stage)` receives the progress; None:
+    Blender's progress bar does."""
     core, settings, tell = native.load(), followed.of(depsgraph.scene).fovea, tell or partial(_progress, engine)
     styled = partial(properties.style_drawn, given=chosen)
     animation = styled(depsgraph).animation
@@ -152,29 +152,31 @@ def final(engine, depsgraph, make=draw, *, chosen=None, lines_alone=False, expos
     options = pipeline.options(visibility=visibility, **asked, **methods.quality(settings))
     cancel = core.Cancel()
     drawn = options.replace(boil_drawing=animation.boil_drawing(depsgraph.scene.frame_current))
-    exposed = exposed and motion_blur.is_on(depsgraph, animation)
+    exposed = in_time and motion_blur.is_on(depsgraph, animation)
 
     def read(chosen):
-        near, of_ink = lines_near(engine, depsgraph, styled, backend, options, cancel, moments=exposed), {}
+        near, others = lines_near(engine, depsgraph, styled, backend, options, cancel, moments=exposed), {}
         if exposed:
             look = partial(_moment, engine, depsgraph, styled, backend, drawn, cancel, near)
-            of_ink["exposure"] = motion_blur.exposure(engine, depsgraph, animation.motion_samples, look)
+            others["exposure"] = motion_blur.exposure(engine, depsgraph, animation.motion_samples, look)
+        if in_time and options.with_line_vector:
+            others["poses"] = near_frames.beside(engine, depsgraph, partial(_pose, engine, depsgraph, styled, cancel))
         # After other frames, because cached surfaces have the positions of the frame gathered last.
-        return near, of_ink, gather(engine, depsgraph, chosen, with_colors=not lines_alone, cancel=cancel)
+        return near, others, gather(engine, depsgraph, chosen, with_colors=not lines_alone, cancel=cancel)
 
     with watched(engine, cancel), cancel:
         try:
             with holds.held(engine, depsgraph, animation):
                 chosen, seen = styled(depsgraph), scene.seen(core, camera.of_render(engine, depsgraph))
                 start = time.perf_counter()
-                near, of_ink, found = read(chosen)
+                near, others, found = read(chosen)
                 if near:
                     content = near_frames.content(found, seen, chosen, options, backend)
                     if near_frames.changed(engine, depsgraph, content):
-                        near, of_ink, found = read(chosen)
+                        near, others, found = read(chosen)
                     near = near_frames.with_itself(engine, depsgraph, near, content)
-                other_s = time.perf_counter() - start - found.seconds if near or of_ink else 0.0
-            return found, make(found, seen, chosen, backend, drawn, tell, cancel, near, **of_ink), other_s
+                other_s = time.perf_counter() - start - found.seconds if near or others else 0.0
+            return found, make(found, seen, chosen, backend, drawn, tell, cancel, near, **others), other_s
         except core.Cancelled:
             return None
 
@@ -217,8 +219,14 @@ def _look(engine, depsgraph, styled, backend, options, cancel):
 
 def _moment(engine, depsgraph, styled, backend, options, cancel, near, number):
     """(content, native Frame) of the moment of a final render's shutter that the depsgraph is evaluated at."""
-    of_ink = options.replace(with_line_depth=False, with_line_id=False, matte_ranks=0)
+    of_ink = options.replace(with_line_depth=False, with_line_vector=False, with_line_id=False, matte_ranks=0)
     return _frame_now(engine, depsgraph, styled, backend, of_ink, cancel, f"Moment {number}", near)
+
+
+def _pose(engine, depsgraph, styled, cancel):
+    """The native Pose of the frame that a final render's depsgraph is evaluated at."""
+    found = gather(engine, depsgraph, styled(depsgraph), with_colors=False, cancel=cancel)
+    return native.load().Pose(found.placed, scene.seen(native.load(), camera.of_render(engine, depsgraph)))
 
 
 def _frame_now(engine, depsgraph, styled, backend, options, cancel, where, near=None):

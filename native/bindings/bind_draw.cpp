@@ -57,15 +57,16 @@ class PythonBackend : public Backend {
 };
 
 using Near = std::map<int, NearLines>;
+using Poses = std::map<int, std::shared_ptr<Pose>>;
 using GivenFiles = std::map<std::string, std::shared_ptr<FileContent>>;
 
 std::shared_ptr<Frame> make_frame(std::shared_ptr<Scene> scene, const View& view, const style::Style& style,
                                   const Options& options, std::shared_ptr<Assets> assets,
                                   std::shared_ptr<Backend> backend, const OwningOverrides* overrides,
                                   const ColorSources* colors, const Near& near, int since_key,
-                                  const Optional<double>& baked_marks, std::shared_ptr<Exposure> exposure,
-                                  const GivenFiles& files, std::shared_ptr<Cancel> cancel,
-                                  const std::optional<py::function>& progress) {
+                                  const Optional<double>& baked_marks, const Poses& poses,
+                                  std::shared_ptr<Exposure> exposure, const GivenFiles& files,
+                                  std::shared_ptr<Cancel> cancel, const std::optional<py::function>& progress) {
     Job job{.scene = std::move(scene), .view = view, .style = style, .options = options};
     if (overrides) job.overrides = overrides->overrides;
     job.assets = std::move(assets);
@@ -75,6 +76,10 @@ std::shared_ptr<Frame> make_frame(std::shared_ptr<Scene> scene, const View& view
     job.since_key = since_key;
     const In<double> marks = borrow<double>(baked_marks, "baked_marks");
     job.baked_marks.assign(marks.begin(), marks.end());
+    for (const auto& [away, pose] : poses) {
+        check(away == -1 || away == 1, "poses: they are those of the frames beside the frame, at -1 and 1");
+        (away < 0 ? job.before : job.after) = pose;
+    }
     job.exposure = std::move(exposure);
     job.files.insert(files.begin(), files.end());
     if (cancel) job.cancel = std::move(cancel);
@@ -117,6 +122,7 @@ py::typing::Dict<std::string, py::object> passes(Frame& frame) {
                     py::arg("color") = image(p.color, view), py::arg("focus") = image(p.focus, view),
                     py::arg("depth") = image(p.depth, view), py::arg("hidden_lines") = image(p.of_lines.hidden, view),
                     py::arg("line_sets") = line_sets, py::arg("line_depth") = image(p.of_lines.depth, view),
+                    py::arg("line_vector") = image(p.of_lines.vector, view),
                     py::arg("line_id") = image(p.of_lines.id, view), py::arg("mattes") = mattes);
 }
 
@@ -228,11 +234,12 @@ void bind_steps(FrameClass& frame) {
             py::init(&make_frame), py::arg("scene"), py::arg("view"), py::arg("style"), py::kw_only(),
             py::arg("options") = Options(), py::arg("assets") = nullptr, py::arg("backend") = nullptr,
             py::arg("overrides") = nullptr, py::arg("colors") = nullptr, py::arg("near") = Near(),
-            py::arg("since_key") = 0, py::arg("baked_marks") = py::none(), py::arg("exposure") = nullptr,
-            py::arg("files") = GivenFiles(), py::arg("cancel") = nullptr, py::arg("progress") = py::none(),
-            py::keep_alive<1, 7>(), py::keep_alive<1, 8>(),
+            py::arg("since_key") = 0, py::arg("baked_marks") = py::none(), py::arg("poses") = Poses(),
+            py::arg("exposure") = nullptr, py::arg("files") = GivenFiles(), py::arg("cancel") = nullptr,
+            py::arg("progress") = py::none(), py::keep_alive<1, 7>(), py::keep_alive<1, 8>(),
             R"(near: {how many frames later another is: its NearLines}; since_key: how many frames earlier the last key of marks
-is (Animation.since_key); baked_marks: (n,) float64 of its own lines, in place of those handed on; exposure: an Exposure, whose ink is drawn in place of
+is (Animation.since_key); baked_marks: (n,) float64 of its own lines, in place of those handed on; poses: of the frames before and after, {-1: Pose, 1: Pose}, either of which may be
+missing, for line vectors; exposure: an Exposure, whose ink is drawn in place of
 the frame's own; files: {path as the style has it: FileContent}, others are missing; progress(share, stage) is called before each stage.)")
         .def("find", &Frame::find, NoGil())
         .def("see", &Frame::see, NoGil())

@@ -5,6 +5,7 @@
 #include <fovea/color/light.h>
 #include <fovea/draw/along_lines.h>
 #include <fovea/path/extract.h>
+#include <fovea/scene/pose.h>
 #include <fovea/scene/tracer.h>
 
 #include "bindings/arrays.h"
@@ -145,6 +146,11 @@ contours and cast shadows are found.)")
                 return std::const_pointer_cast<Surface>(scene.placements.at(placement).surface);
             },
             py::arg("placement"));
+
+    py::class_<Pose, std::shared_ptr<Pose>>(
+        m, "Pose", "Where the surfaces of a scene are, as its view sees them; a copy, which outlives both.")
+        .def(py::init([](const Scene& scene, const View& view) { return pose_of(scene, view); }), NoGil(),
+             py::arg("scene"), py::arg("view"));
 
     py::class_<Tracer, std::shared_ptr<Tracer>>(m, "Tracer", "Rays through a scene as a view sees it (Embree).")
         .def(py::init<const Scene&, const View&>(), NoGil(), py::arg("scene"), py::arg("view"), py::keep_alive<1, 2>())

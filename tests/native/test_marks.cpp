@@ -79,7 +79,8 @@ std::vector<double> slides_of_numbers(const Marks& before, const Marks& after, c
 std::vector<double> slides_of_numbers(const Marks& before, const Marks& after) {
     const ViewLines& a = *before.of->lines;
     return slides_of_numbers(before, after, [&](const ViewLines::Place& place) {
-        return to_pixels(a.view, a.view.view_to_clip * (a.placed[0].object_to_view * dvec4(place.position, 1.0)));
+        return to_pixels(a.pose.view, a.pose.view.view_to_clip *
+                                          (a.pose.placed[0].object_to_view * dvec4(place.point.position, 1.0)));
     });
 }
 
@@ -210,14 +211,15 @@ TEST(Marks, MoveWithASurfaceThatDeforms) {
         placed.surface = surface;
         frames.push_back(lines_of({placed}, orbit(10)));
         at.push_back(mesh.positions);
-        ASSERT_FALSE(frames.back()->lines->placed[0].positions.empty());
+        ASSERT_FALSE(frames.back()->lines->pose.placed[0].at().empty());
     }
     for (int k = 1; k < 6; ++k) {
         const ViewLines& a = *frames[k - 1]->lines;
         const auto moved = [&](const ViewLines::Place& place) {
             dvec3 sum(0.0);
-            for (int c = 0; c < 3; ++c) sum += place.shares[c] * dvec3(at[k - 1][place.vertices[c]]);
-            return to_pixels(a.view, a.view.view_to_clip * (a.placed[0].object_to_view * dvec4(sum, 1.0)));
+            for (int c = 0; c < 3; ++c) sum += place.point.shares[c] * dvec3(at[k - 1][place.point.vertices[c]]);
+            return to_pixels(a.pose.view,
+                             a.pose.view.view_to_clip * (a.pose.placed[0].object_to_view * dvec4(sum, 1.0)));
         };
         const std::vector<double> found = slides(marks_at(frames, k - 1, 64), marks_at(frames, k, 64), moved);
         ASSERT_GT(found.size(), 0.9 * frames[k]->own.size());

@@ -23,6 +23,7 @@
 #include <fovea/elision/in_time.h>
 #include <fovea/focus/focus.h>
 #include <fovea/path/paths.h>
+#include <fovea/scene/pose.h>
 #include <fovea/scene/tracer.h>
 #include <fovea/stroke/drawn_line.h>
 #include <fovea/stroke/strokes.h>
@@ -53,7 +54,8 @@ struct Job {
     std::vector<LinesNear> near = {};
     Array<double> baked_marks = {};  ///< of the frame's lines of the view; empty: they are handed on
     int since_key = 0;               ///< how many frames before this one the last key of marks is (stroke/marks.h)
-    std::shared_ptr<const Exposure> exposure = {};  ///< ink in place of the frame's own; null: sharp
+    std::shared_ptr<const Pose> before = {}, after = {};  ///< of the frames beside this one; null: lines do not move
+    std::shared_ptr<const Exposure> exposure = {};        ///< ink in place of the frame's own; null: sharp
     std::shared_ptr<const Cancel> cancel = std::make_shared<Cancel>();
     /// Called before each stage with the fraction done, in [0, 1], and the stage's name.
     std::function<void(double, const std::string&)> progress = {};

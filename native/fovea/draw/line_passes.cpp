@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <bit>
+#include <optional>
 
 #include <fovea/draw/cryptomatte.h>
+#include <fovea/draw/line_motion.h>
 #include <fovea/draw/spine_tiles.h>
 #include <fovea/stroke/fragments.h>
 #include <fovea/stroke/noise.h>
@@ -24,9 +26,7 @@ Array<T> filled(const View& view, T value) {
 /// Distance along the view axis at an arc length of a piece, clamped to its ends.
 float distance_at(const ClippedPaths& clipped, Index piece, double arc) {
     const Index i = clipped.segment_at(piece, arc);
-    const double share = clipped.share_at(i, arc);
-    const double here = -clipped.position_view[i].z, next = -clipped.position_view[i + 1].z;
-    return float(clipped.orthographic ? glm::mix(here, next, share) : 1.0 / glm::mix(1.0 / here, 1.0 / next, share));
+    return float(-clipped.position_at(i, clipped.share_at(i, arc)).z);
 }
 
 class LinePainter {
@@ -36,7 +36,11 @@ class LinePainter {
         const View& view = frame.job.view;
         if (options.with_hidden) passes_.hidden = filled(view, vec4(0.0f));
         if (options.with_line_sets) add_line_sets();
-        if (options.with_line_depth) passes_.depth = filled(view, background_depth);
+        if (options.with_line_depth || options.with_line_vector) passes_.depth = filled(view, background_depth);
+        if (options.with_line_vector) {
+            passes_.vector = filled(view, vec4(0.0f));
+            motion_.emplace(frame);
+        }
         if (options.with_line_id) passes_.id = filled(view, 0.0f);
         for (int rank = 0; rank < options.matte_ranks; rank += 2) passes_.mattes.push_back(filled(view, vec4(0.0f)));
         if (options.with_line_id)
@@ -53,7 +57,10 @@ class LinePainter {
                       [&](const PixelBox& box, In<Index> triangles) { tile(fragments, box, triangles); });
     }
 
-    LinePasses take() { return std::move(passes_); }
+    LinePasses take() {
+        if (!frame_.job.options.with_line_depth) passes_.depth = {};
+        return std::move(passes_);
+    }
 
    private:
     std::size_t at(int x, int y) const { return std::size_t(y) * frame_.job.view.width + x; }
@@ -94,10 +101,7 @@ class LinePainter {
             const Index piece = strokes.piece[f.vertex], path = frame_.clipped->path[piece];
             if (Array<vec4>* image = image_of(strokes.pen[f.vertex]))
                 (*image)[at(x, y)] = over((*image)[at(x, y)], f.color, f.alpha);
-            if (!passes_.depth.empty()) {
-                float& nearest = passes_.depth[at(x, y)];
-                nearest = std::min(nearest, distance_at(*frame_.clipped, piece, f.arc));
-            }
+            if (!passes_.depth.empty()) put_nearest(piece, f.arc, at(x, y));
             if (!lines_.empty()) of_lines.add(x, y, lines_[path], f.alpha);
             if (!objects_.empty()) of_objects.add(x, y, objects_[path], f.alpha);
         });
@@ -107,6 +111,13 @@ class LinePainter {
                 if (!lines_.empty()) put_line(of_lines, x, y, ranked);
                 if (!objects_.empty()) put_objects(of_objects, x, y, ranked);
             }
+    }
+
+    void put_nearest(Index piece, double arc, std::size_t pixel) {
+        const float distance = distance_at(*frame_.clipped, piece, arc);
+        if (!(distance < passes_.depth[pixel])) return;
+        passes_.depth[pixel] = distance;
+        if (motion_) passes_.vector[pixel] = motion_->at(piece, arc);
     }
 
     void put_line(const Shares& shares, int x, int y, std::vector<Share>& ranked) {
@@ -126,6 +137,7 @@ class LinePainter {
 
     const Frame& frame_;
     LinePasses passes_;
+    std::optional<LineMotion> motion_;  // none: it is not requested
     std::vector<Index> image_of_set_;
     Array<std::uint32_t> lines_, objects_;  // ids by path; empty: not requested
 };
@@ -133,7 +145,8 @@ class LinePainter {
 }  // namespace
 
 bool wants_line_passes(const Options& o) {
-    return o.with_hidden || o.with_line_sets || o.with_line_depth || o.with_line_id || o.matte_ranks > 0;
+    return o.with_hidden || o.with_line_sets || o.with_line_depth || o.with_line_vector || o.with_line_id ||
+           o.matte_ranks > 0;
 }
 
 LinePasses line_passes(const Frame& frame) {

@@ -23,6 +23,8 @@ struct LinePasses {
     std::vector<std::pair<std::string, Array<vec4>>> line_sets;
     /// Distance along the view axis of the nearest line that has ink at the pixel; background_depth where none has.
     Array<float> depth;
+    /// How that line moves (line_motion.h); 0 where no line has ink.
+    Array<vec4> vector;
     /// Number in [1, 2^24) of the line that has the greatest share of the pixel's ink, from its path's id: of lines of
     /// the mesh the same in all frames, and for few lines that of another one; 0: no line.
     Array<float> id;

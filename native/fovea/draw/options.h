@@ -49,6 +49,7 @@ struct Options {
     bool with_hidden = false;
     bool with_line_sets = false;
     bool with_line_depth = false;
+    bool with_line_vector = false;
     bool with_line_id = false;
     int boil_drawing = 0;  ///< number of the drawing in the cycle of the style's boil
     int matte_ranks = 0;   ///< objects per pixel that a Cryptomatte tells apart; 0: none is made
@@ -82,6 +83,7 @@ struct Options {
         style::Field{"with_hidden", &Options::with_hidden},
         style::Field{"with_line_sets", &Options::with_line_sets},
         style::Field{"with_line_depth", &Options::with_line_depth},
+        style::Field{"with_line_vector", &Options::with_line_vector},
         style::Field{"with_line_id", &Options::with_line_id},
         style::Field{"boil_drawing", &Options::boil_drawing, "", "", style::number(0, 1000, 12)},
         style::Field{"matte_ranks", &Options::matte_ranks, "", "", style::number(0, 16, 16)}};

@@ -24,7 +24,7 @@ bool is_beside(const dvec2& from, const View& view) {
 
 /// Whether one place follows another one along a line, or at the end of it the line goes on in another piece.
 bool go_on(const ViewLines& lines, const ViewLines::Place& a, const ViewLines::Place& b) {
-    const double least = far_along * lines.view.reference_scale;
+    const double least = far_along * lines.pose.view.reference_scale;
     const auto to_end = [&](const ViewLines::Place& place) {
         const double first = lines.places[lines.rows.begin(place.piece)].arc,
                      last = lines.places[lines.rows.end(place.piece) - 1].arc;
@@ -38,47 +38,32 @@ bool go_on(const ViewLines& lines, const ViewLines::Place& a, const ViewLines::P
 }  // namespace
 
 MovedPlaces::MovedPlaces(const ViewLines& now, const ViewLines& there) : now_(now), there_(there) {
-    for (const ViewLines::Placed& placed : now.placed) {
-        const auto at = std::ranges::lower_bound(there.placed, placed.id, {}, &ViewLines::Placed::id);
-        number_.push_back(at != there.placed.end() && at->id == placed.id ? Index(at - there.placed.begin()) : none);
-    }
-    points_ = parallel_map<Point>(now.places.size(), [&](std::size_t j) { return moved(now.places[j]); });
+    for (const Pose::Placed& placed : now.pose.placed) number_.push_back(there.pose.find(placed.id));
+    points_ = parallel_map<Pose::Seen>(now.places.size(), [&](std::size_t j) {
+        const ViewLines::Place& place = now.places[j];
+        return there.pose.seen(place.point, now.pose.placed[place.placed], number_[place.placed]);
+    });
 }
 
-MovedPlaces::Point MovedPlaces::moved(const ViewLines::Place& place) const {
-    if (number_[place.placed] == none) return {dvec2(0.0), NAN};
-    const ViewLines::Placed &here = now_.placed[place.placed], &there = there_.placed[number_[place.placed]];
-    dvec3 at = place.position;
-    if (!here.positions.empty() && here.positions.size() == there.positions.size()) {
-        at = dvec3(0.0);
-        for (int k = 0; k < 3; ++k) at += place.shares[k] * dvec3(there.positions[place.vertices[k]]);
-    }
-    const dvec3 position(there.object_to_view * dvec4(at, 1.0));
-    const dvec4 clip = there_.view.view_to_clip * dvec4(position, 1.0);
-    const dvec2 px = to_pixels(there_.view, clip);
-    const bool seen = clip.w > 0.0 && std::abs(px.x) < 1e6 && std::abs(px.y) < 1e6;
-    return {px, seen ? -position.z : NAN};
-}
-
-bool MovedPlaces::is_inside(const Point& point) const {
-    return point.depth > 0.0 && point.px.x >= 0.0 && point.px.y >= 0.0 && point.px.x <= there_.view.width &&
-           point.px.y <= there_.view.height;
+bool MovedPlaces::is_inside(const Pose::Seen& point) const {
+    return point.depth > 0.0 && point.px.x >= 0.0 && point.px.y >= 0.0 && point.px.x <= there_.pose.view.width &&
+           point.px.y <= there_.pose.view.height;
 }
 
 /// The nearest places that accept(place, other, from) lets count: numbers of places, and pixels from the other one
 /// along its line and across it.
 template <typename Accept>
 Array<FoundPlace> MovedPlaces::nearest(const Accept& accept) const {
-    const double scale = there_.view.reference_scale;
+    const double scale = there_.pose.view.reference_scale;
     Array<FoundPlace> found(now_.places.size());
     parallel_for(found.size(), 256, [&](std::size_t j) {
         const ViewLines::Place& place = now_.places[j];
-        const Point& point = points_[j];
+        const Pose::Seen& point = points_[j];
         FoundPlace& best = found[j] = {};
         if (std::isnan(point.depth)) return;
         const Index first = now_.rows.begin(place.piece), last = now_.rows.end(place.piece) - 1;
-        const Point &before = points_[std::max<std::size_t>(j, first + 1) - 1],
-                    &after = points_[std::min<std::size_t>(j + 1, last)];
+        const Pose::Seen &before = points_[std::max<std::size_t>(j, first + 1) - 1],
+                         &after = points_[std::min<std::size_t>(j + 1, last)];
         const dvec2 across = after.px - before.px;
         const double length = glm::length(across);
         const dvec2 way = std::isnan(before.depth + after.depth) || length == 0.0 ? place.way : across / length;
@@ -108,12 +93,12 @@ Array<FoundPlace> MovedPlaces::found() const {
 
 Array<FoundPlace> MovedPlaces::beside(In<std::uint8_t> counts) const {
     return nearest(
-        [&](std::size_t, std::size_t k, const dvec2& from) { return counts[k] && is_beside(from, there_.view); });
+        [&](std::size_t, std::size_t k, const dvec2& from) { return counts[k] && is_beside(from, there_.pose.view); });
 }
 
 Array<std::uint8_t> are_beside(const ViewLines& lines, In<std::uint8_t> counts) {
     const auto found = MovedPlaces(lines, lines).nearest([&](std::size_t j, std::size_t k, const dvec2& from) {
-        return counts[k] && is_beside(from, lines.view) && !go_on(lines, lines.places[j], lines.places[k]);
+        return counts[k] && is_beside(from, lines.pose.view) && !go_on(lines, lines.places[j], lines.places[k]);
     });
     return parallel_map<std::uint8_t>(found.size(), [&](std::size_t j) { return found[j].place != none; });
 }

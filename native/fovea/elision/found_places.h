@@ -31,18 +31,13 @@ class MovedPlaces {
 
    private:
     friend Array<std::uint8_t> are_beside(const ViewLines& lines, In<std::uint8_t> counts);
-    struct Point {
-        dvec2 px;
-        double depth;  ///< not a number: it is not there
-    };
-    Point moved(const ViewLines::Place& place) const;
-    bool is_inside(const Point& point) const;
+    bool is_inside(const Pose::Seen& point) const;
     template <typename Accept>
     Array<FoundPlace> nearest(const Accept& accept) const;
 
     const ViewLines &now_, &there_;
     std::vector<Index> number_;  // of objects here, among those there; none if one is not
-    Array<Point> points_;        // per place
+    Array<Pose::Seen> points_;   // per place
 };
 
 /// Per place: whether one that counts is right beside it, on another line or far along the same one.

@@ -118,7 +118,7 @@ Array<FoundPlace> found_beside(const SeenLines& now, const SeenLines& there) {
     const MovedPlaces moved(lines, *there.of_view);
     Array<FoundPlace> found = moved.found();
     const Array<FoundPlace> seen = moved.beside(there.seen);
-    std::vector<std::ptrdiff_t> more(lines.placed.size());  // per object: places that are found than others
+    std::vector<std::ptrdiff_t> more(lines.pose.placed.size());  // per object: places that are found than others
     for (std::size_t j = 0; j < found.size(); ++j) {
         if (now.seen[j] && seen[j].place != none)
             found[j] = seen[j];

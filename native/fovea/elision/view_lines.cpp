@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
 #include <fovea/base/parallel.h>
 #include <fovea/project/piece_arcs.h>
@@ -17,35 +18,15 @@ constexpr double cell = 8.0;        // of the grid, reference pixels
 constexpr std::size_t crowd = 512;  // places in a cell
 constexpr double shortest = 0.01;   // px: shorter pieces have no places
 
-/// Shares of the corners of a triangle in the point of its plane nearest to `at`.
-std::array<double, 3> shares_of(const dvec3& a, const dvec3& b, const dvec3& c, const dvec3& at) {
-    const dvec3 ab = b - a, ac = c - a, normal = glm::cross(ab, ac);
-    const double square = glm::dot(normal, normal);
-    if (!(square > 0.0)) return {1.0, 0.0, 0.0};
-    const double second = glm::dot(glm::cross(at - a, ac), normal) / square;
-    const double third = glm::dot(glm::cross(ab, at - a), normal) / square;
-    return {1.0 - second - third, second, third};
-}
-
 class Finder {
    public:
     Finder(const ClippedPaths& clipped, const Paths& paths, const Scene& scene, const View& view)
         : clipped_(clipped), paths_(paths), scene_(scene), view_(view) {
+        std::set<Index> placements;
         for (Index q = 0; q < clipped.pieces.count(); ++q)
-            if (wanted(q)) number_.try_emplace(paths.placement[clipped.path[q]]);
-        std::vector<std::pair<std::uint64_t, Index>> order;
-        for (const auto& [placement, number] : number_) order.emplace_back(scene.placements[placement].id, placement);
-        std::ranges::sort(order);
-        for (const auto& [id, placement] : order) {
-            number_[placement] = Index(out.placed.size());
-            const Placement& of = scene.placements[placement];
-            ViewLines::Placed placed{id, view.world_to_view * of.object_to_world, {}};
-            if (!of.surface->rest().empty()) {
-                const auto begin = of.surface->positions.begin();
-                placed.positions.assign(begin, begin + of.surface->vertex_count());
-            }
-            out.placed.push_back(std::move(placed));
-        }
+            if (wanted(q)) placements.insert(paths.placement[clipped.path[q]]);
+        out.pose = pose_of(scene, view, Array<Index>(placements.begin(), placements.end()));
+        for (Index i = 0; i < out.pose.placed.size(); ++i) number_[out.pose.placed[i].placement] = i;
     }
 
     ViewLines out;
@@ -53,7 +34,6 @@ class Finder {
     void find() {
         const Index count = clipped_.pieces.count();
         const double step_px = step * view_.reference_scale;
-        out.view = view_;
         out.rows.offsets.assign(count, 0);
         out.path.assign(clipped_.path.begin(), clipped_.path.end());
         out.closed.assign(clipped_.closed.begin(), clipped_.closed.end());
@@ -84,7 +64,7 @@ class Finder {
     void find(Index piece) {
         const Index placed = number_.at(paths_.placement[clipped_.path[piece]]), size = out.rows.size(piece);
         const std::span<ViewLines::Place> places(out.places.data() + out.rows.begin(piece), size);
-        const dmat4 view_to_object = glm::inverse(out.placed[placed].object_to_view);
+        const dmat4 view_to_object = glm::inverse(out.pose.placed[placed].object_to_view);
         const project::PieceArcs arcs(clipped_, paths_, piece);
         const double first = clipped_.first_arc(piece), length = length_of(piece);
         for (Index k = 0; k < size; ++k) {
@@ -105,45 +85,25 @@ class Finder {
     void locate(ViewLines::Place& place, const dmat4& view_to_object) const {
         const Index i = clipped_.segment_at(place.piece, place.arc), source = clipped_.source[i];
         const double t = clipped_.share_at(i, place.arc);
-        const dvec3 a(clipped_.position_view[i]), b(clipped_.position_view[i + 1]);
-        const dvec3 position = glm::mix(a, b, clipped_.orthographic ? t : share_in_space(t, -a.z, -b.z));
+        const dvec3 position = clipped_.position_at(i, t);
         place.px = glm::mix(dvec2(clipped_.px[i]), dvec2(clipped_.px[i + 1]), t);
         place.depth = -position.z;
-        place.position = dvec3(view_to_object * dvec4(position, 1.0));
+        const Index placement = paths_.placement[clipped_.path[place.piece]];
+        place.point = surface_point(*scene_.placements[placement].surface, out.pose.placed[place.placed].at(),
+                                    paths_.place[source], dvec3(view_to_object * dvec4(position, 1.0)));
         place.kinds = paths_.kinds[source];
-        const Array<vec3>& at = out.placed[place.placed].positions;
-        if (at.empty()) return;
-        const Surface& surface = *scene_.placements[paths_.placement[clipped_.path[place.piece]]].surface;
-        const Index on = paths_.place[source];
-        if (surface.is_edge(on)) {
-            const mesh::Edge edge = surface.edges[on];
-            const dvec3 from(at[edge.x]), way = dvec3(at[edge.y]) - from;
-            const double square = glm::dot(way, way);
-            const double share =
-                square > 0.0 ? std::clamp(glm::dot(place.position - from, way) / square, 0.0, 1.0) : 0.0;
-            place.vertices = {edge.x, edge.y, edge.y};
-            place.shares = {1.0 - share, share, 0.0};
-        } else {
-            const mesh::Triangle& of = surface.triangles[surface.triangle_at(on)];
-            place.vertices = {of.x, of.y, of.z};
-            place.shares = shares_of(dvec3(at[of.x]), dvec3(at[of.y]), dvec3(at[of.z]), place.position);
-        }
     }
 
     const ClippedPaths& clipped_;
     const Paths& paths_;
     const Scene& scene_;
     const View& view_;
-    std::map<Index, Index> number_;  // of placements with such lines, among those placed
+    std::map<Index, Index> number_;  // of placements with such lines, among those of the pose
 };
 
 }  // namespace
 
-std::size_t ViewLines::bytes() const {
-    std::size_t sum = places.size() * sizeof(Place) + 9 * closed.size();
-    for (const Placed& each : placed) sum += sizeof(Placed) + each.positions.size() * sizeof(vec3);
-    return sum;
-}
+std::size_t ViewLines::bytes() const { return places.size() * sizeof(Place) + 9 * closed.size() + pose.bytes(); }
 
 double ViewLines::number_at(Index piece, double arc) const {
     const double first = places[rows.begin(piece)].arc, last = places[rows.end(piece) - 1].arc;

@@ -3,42 +3,31 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <memory>
 #include <vector>
 
 #include <fovea/base/point_grid.h>
-#include <fovea/base/view.h>
 #include <fovea/path/paths.h>
 #include <fovea/project/clipped_paths.h>
-#include <fovea/scene/scene.h>
+#include <fovea/scene/pose.h>
 
 namespace fovea::elision {
 
 /// The lines of a frame that depend on its view, as places a few pixels apart, without its scene, which frames share
 /// and change.
 struct ViewLines {
-    /// Something of the scene, as this frame has it.
-    struct Placed {
-        std::uint64_t id;  ///< Placement::id
-        dmat4 object_to_view;
-        Array<vec3> positions;  ///< of vertices, object space; empty where it does not deform
-    };
     struct Place {
-        dvec2 px, way;     ///< in the image, and the unit vector along the line
-        double arc;        ///< ClippedPaths::arc_px
-        double arc_space;  ///< Paths::arc_obj
-        double depth;      ///< distance along the view axis
-        Index piece, placed;
-        dvec3 position;                   ///< object space
-        std::array<Index, 3> vertices{};  ///< of what deforms: those of the triangle on which it lies,
-        std::array<double, 3> shares{};   ///< and how much it is of each; of an edge the third is 0
+        dvec2 px, way;        ///< in the image, and the unit vector along the line
+        double arc;           ///< ClippedPaths::arc_px
+        double arc_space;     ///< Paths::arc_obj
+        double depth;         ///< distance along the view axis
+        Index piece, placed;  ///< placed: index into those of `pose`
+        SurfacePoint point;
         Kinds kinds;
     };
 
-    View view;
-    std::vector<Placed> placed;  ///< ascending by id
-    Rows rows;                   ///< per piece of ClippedPaths: its places in order; none of other lines
+    Pose pose;  ///< of what has such lines
+    Rows rows;  ///< per piece of ClippedPaths: its places in order; none of other lines
     Array<Place> places;
     Array<Index> path;                ///< per piece
     Array<std::uint8_t> closed;       ///< per piece

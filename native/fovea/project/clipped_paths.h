@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include <fovea/base/columns.h>
+#include <fovea/base/view.h>
 
 namespace fovea::project {
 
@@ -92,6 +93,11 @@ struct ClippedPaths {
     vec2 place_px(Index piece, double arc) const {
         const Index i = segment_at(piece, arc);
         return glm::mix(px[i], px[i + 1], float(share_at(i, arc)));
+    }
+    /// View-space position on a segment, at a share of its way in the image.
+    dvec3 position_at(Index segment, double share) const {
+        const dvec3 a(position_view[segment]), b(position_view[segment + 1]);
+        return glm::mix(a, b, orthographic ? share : share_in_space(share, -a.z, -b.z));
     }
     /// Per-point values of Paths, interpolated at a clipped point.
     float at_point(In<float> values, Index point) const { return between_points(values, point); }

@@ -120,7 +120,7 @@ MarkedLines marked_lines(std::shared_ptr<const ViewLines> lines, const ClippedPa
         made.period[q] = length;
         const In<ViewLines::Place> places(lines->places.data() + begin, size);
         const std::span<double> own(made.own.data() + begin, size);
-        const dmat4& object_to_view = lines->placed[places[0].placed].object_to_view;
+        const dmat4& object_to_view = lines->pose.placed[places[0].placed].object_to_view;
         const Surface& surface = *scene.placements[paths.placement[path]].surface;
         own[0] = double(paths.id[path] % far) * length;
         go_along(places, ways_of(places, object_to_view, surface, clipped, paths.place), lines->closed[q], length, own);
