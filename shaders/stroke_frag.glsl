@@ -32,7 +32,7 @@ void main()
     vec4 second = mix(fetch_row(pens, 4 * pen_index + 3), fetch_row(pens, 4 * other + 3), mixed.x);
     color = mix(color, second, mixed.z);
   }
-  alpha *= ink_here;
+  alpha *= stroke_ink_left(ink_here, mixed.w);
 #ifdef SPINE
   if (alpha > 0.0) {
     alpha *= spine_visibility(clamp(arc_place.x, ends.x, ends.y));

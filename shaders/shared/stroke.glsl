@@ -24,6 +24,18 @@ float blend(float a, float b, float share)
   return a + (b - a) * share;
 }
 
+// Range of ink over which it comes or goes where a stroke breaks up through its texture.
+float ink_softness()
+{
+  return 0.1f;
+}
+
+// What is left of ink there: all above `faint`, nothing that is less by the softness.
+float stroke_ink_left(float ink, float faint)
+{
+  return ink * clamp((ink - faint) / ink_softness() + 1.0f, 0.0f, 1.0f);
+}
+
 // Texture coordinate across the stroke [texels], clamped at its sides.
 float ink_height(ivec2 size, float v, float half_width_px)
 {

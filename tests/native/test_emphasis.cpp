@@ -83,7 +83,7 @@ TEST(Emphasis, TransfersDecideHowFar) {
     drawn.each([&](float, Index i) {
         EXPECT_FLOAT_EQ(drawn.strokes.half_width[i], 2.0f);
         EXPECT_FLOAT_EQ(drawn.strokes.opacity[i], 1.0f);
-        EXPECT_EQ(drawn.strokes.mix[i], vec3(0.25f, 1.0f, 0.0f));
+        EXPECT_EQ(drawn.strokes.mix[i], vec4(0.25f, 1.0f, 0.0f, 0.0f));
     });
 }
 

@@ -8,6 +8,7 @@
 #include <fovea/draw/cryptomatte.h>
 #include <fovea/draw/line_motion.h>
 #include <fovea/draw/spine_tiles.h>
+#include <fovea/stroke/along.h>
 #include <fovea/stroke/fragments.h>
 #include <fovea/stroke/noise.h>
 #include <fovea/stroke/shares.h>
@@ -21,12 +22,6 @@ Array<T> filled(const View& view, T value) {
     Array<T> image(std::size_t(view.width) * view.height);
     parallel_for(image.size(), [&](std::size_t i) { image[i] = value; });
     return image;
-}
-
-/// Distance along the view axis at an arc length of a piece, clamped to its ends.
-float distance_at(const ClippedPaths& clipped, Index piece, double arc) {
-    const Index i = clipped.segment_at(piece, arc);
-    return float(-clipped.position_at(i, clipped.share_at(i, arc)).z);
 }
 
 class LinePainter {
@@ -114,7 +109,7 @@ class LinePainter {
     }
 
     void put_nearest(Index piece, double arc, std::size_t pixel) {
-        const float distance = distance_at(*frame_.clipped, piece, arc);
+        const float distance = float(distance_at(*frame_.clipped, piece, arc));
         if (!(distance < passes_.depth[pixel])) return;
         passes_.depth[pixel] = distance;
         if (motion_) passes_.vector[pixel] = motion_->at(piece, arc);

@@ -5,6 +5,7 @@
 #include <map>
 
 #include <fovea/base/check.h>
+#include <fovea/stroke/ink.h>
 
 namespace fovea::draw {
 namespace {
@@ -50,7 +51,11 @@ Pens pens_of(const style::Style& style, const Assets& assets, double scale) {
         made.look = style::in_pixels(pen, scale, style.paper.px_per_mm(scale));
         made.width_px = float(width);
         made.texture_length_px = float(pen.length_scale * assets.texture_length(pen.texture) * width);
-        if (const auto texture = numbers.find(pen.texture); texture != numbers.end()) made.texture = texture->second;
+        if (const auto texture = numbers.find(pen.texture); texture != numbers.end()) {
+            made.texture = texture->second;
+            made.ink_levels = stroke::ink_levels(
+                stroke::fit_texture(found.textures[made.texture], made.texture_length_px, made.width_px));
+        }
         found.pens.push_back(made);
     }
     Index away = static_cast<Index>(pairs.size());

@@ -33,7 +33,7 @@ constexpr double round_turn = 0.8, round_reach = 4.0;
 
 /// A piece, and the edge that casts it.
 struct Cast {
-    ShadowPiece piece;
+    ShadowPiece piece;  // placement `none`: an edge without length, which makes one point of its vertices
     Index placement, edge, number;  // of the edge's pieces
 };
 
@@ -56,6 +56,10 @@ Array<Cast> shadows_of(const LightEye& eye, const Cancel& cancel) {
                 pieces.clear();
                 const Edge& edge = surface.edges[e];
                 const dvec3 from = place(edge.x), to = place(edge.y);
+                if (from == to) {
+                    part.push_back({{.placement = none}, placement, e, 0});
+                    continue;
+                }
                 const bool is_round = surface.sides(e).size() == 2 && field::turn_at(surface, e) < round_turn;
                 const double reach = is_round ? round_reach * glm::distance(from, to) : 0.0;
                 append_shadow(eye, dark, {from, to, eye.tracer.ignore_at(placement, e), reach}, pieces);
@@ -69,15 +73,29 @@ Array<Cast> shadows_of(const LightEye& eye, const Cancel& cancel) {
 class Joints {
    public:
     Index next() { return count_++; }
+    /// Two vertices of a placement are one point.
+    void unite(Index placement, const Edge& vertices) {
+        const Index a = point_of(placement, vertices.x), b = point_of(placement, vertices.y);
+        if (a != b) point_[{placement, std::max(a, b)}] = std::min(a, b);
+    }
     /// At the shadow of a vertex on a facet.
     Index at_vertex(const Cast& cast, Index vertex, Index facet) {
-        const auto [it, is_new] = of_vertex_.try_emplace({cast.placement, vertex, cast.piece.placement, facet}, count_);
+        const Index point = point_of(cast.placement, vertex);
+        const auto [it, is_new] = of_vertex_.try_emplace({cast.placement, point, cast.piece.placement, facet}, count_);
         count_ += is_new;
         return it->second;
     }
 
    private:
+    /// The vertex that stands for all that are one point with it.
+    Index point_of(Index placement, Index vertex) const {
+        for (auto at = point_.find({placement, vertex}); at != point_.end(); at = point_.find({placement, vertex}))
+            vertex = at->second;
+        return vertex;
+    }
+
     Index count_ = 0;
+    std::map<std::pair<Index, Index>, Index> point_;  // per vertex that is one with another: a lower one
     std::map<std::tuple<Index, Index, Index, Index>, Index> of_vertex_;
 };
 
@@ -87,10 +105,14 @@ void append_curves(const LightEye& eye, In<Cast> shadows, In<std::uint8_t> drawn
     std::map<Index, std::shared_ptr<KeptCurves>> of_placement;
     std::unordered_map<Index, dmat4> to_object;
     Joints joints;
+    const auto edge_of = [&](const Cast& cast) { return scene.placements[cast.placement].surface->edges[cast.edge]; };
+    for (const Cast& cast : shadows)
+        if (cast.piece.placement == none) joints.unite(cast.placement, edge_of(cast));
     Index from = none;  // where the piece before goes on
     for (const Cast& cast : shadows) {
         const auto& [placement, triangle, point, goes_on, starts, ends] = cast.piece;
-        const Edge& edge = scene.placements[cast.placement].surface->edges[cast.edge];
+        if (placement == none) continue;
+        const Edge edge = edge_of(cast);
         const Index facet = scene.placements[placement].surface->triangle_facet[triangle];
         const Index start = from != none ? from : starts ? joints.at_vertex(cast, edge.x, facet) : none;
         const Index end = goes_on ? joints.next() : ends ? joints.at_vertex(cast, edge.y, facet) : none;

@@ -63,8 +63,7 @@ T value_at(const Course& course, In<T> values, double arc, const T& otherwise) {
 
 double distance_at(const ClippedPaths& clipped, Index piece, double arc) {
     const Index i = clipped.segment_at(piece, arc);
-    const double a = -clipped.position_view[i].z, b = -clipped.position_view[i + 1].z;
-    return glm::mix(a, b, share_in_space_at(clipped, i, arc));
+    return -clipped.position_at(i, clipped.share_at(i, arc)).z;
 }
 
 Modifiers::Modifiers(const Pen& pen, const PenPaint& paint)

@@ -27,6 +27,7 @@ CenterPoint mix(const CenterPoint& a, const CenterPoint& b, double t) {
             glm::mix(a.mix, b.mix, s),
             glm::mix(a.shown, b.shown, s),
             glm::mix(a.seen, b.seen, s),
+            glm::mix(a.faint, b.faint, s),
             glm::mix(a.tint, b.tint, s),
             glm::mix(a.thinness, b.thinness, s),
             glm::mix(a.color, b.color, t),

@@ -2,6 +2,8 @@
 // The center line of a stroke: a run's part of its path, simplified, with width and ends.
 #pragma once
 
+#include <algorithm>
+
 #include <fovea/project/clipped_paths.h>
 #include <fovea/stroke/pen.h>
 
@@ -21,6 +23,8 @@ struct CenterPoint {
     float shown = 1.0f;
     /// Share of the time for which it is seen (vanish.h).
     float seen = 1.0f;
+    /// Up to how much ink of its texture nothing is left, beyond 1 by a softness; 0: all is (vanish.h).
+    float faint = 0.0f;
     /// Mix towards the pen's second color, in [0,1] (along.h).
     float tint = 0.0f;
     /// Width of the pen as a fraction of the drawn width; below 1 where the pen is thinner than a pixel.
@@ -33,6 +37,9 @@ struct CenterPoint {
     double way = 1.0;  ///< 1 where `along` ascends along the line, -1 where it descends
     /// Places of noise, which has no period, and of the other one with which it is mixed, with the share of this.
     double noise_along = 0.0, next_along = 0.0, next = 0.0;
+
+    /// Opacity of its ink within the width of the pen, whose texture has its mean everywhere.
+    float mean_opacity() const { return opacity * (faint > 0.0f ? seen : 1.0f) / std::max(thinness, 1e-6f); }
 
     /// Moves its places along the line, which goes on as here.
     void go(double px) {

@@ -39,6 +39,9 @@ inline float anchored_ink(const PenTexture& texture, float along, float v, float
     return stroke.anchored_stroke_ink(0, stroke.size(), along, v, half_width, path_px, texture_length_px);
 }
 
+/// What is left of ink where nothing is of `faint` ink and less (Strokes::mix).
+inline float ink_left(float ink, float faint) { return formulas::Stroke{}.stroke_ink_left(ink, faint); }
+
 /// Ink over `below`; both premultiplied. alpha = coverage * ink * vertex opacity.
 inline vec4 over(vec4 below, vec3 color, float alpha) { return vec4(color * alpha, alpha) + below * (1.0f - alpha); }
 

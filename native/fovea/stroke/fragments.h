@@ -49,7 +49,8 @@ class Fragments {
         const Pen& other = away == none ? pen : pens_[away];
         const bool fixed = is_anchored(pen) || is_anchored(other);
         const bool tinted = strokes_.mix[c[0]].z + strokes_.mix[c[1]].z + strokes_.mix[c[2]].z > 0.0f;
-        const auto mixes = over(away != none || tinted, shape, strokes_.mix, c);
+        const bool breaks = strokes_.mix[c[0]].w + strokes_.mix[c[1]].w + strokes_.mix[c[2]].w > 0.0f;
+        const auto mixes = over(away != none || tinted || breaks, shape, strokes_.mix, c);
         const auto colors = over(!strokes_.color.empty(), shape, strokes_.color, c);
         const auto anchors = over(fixed, shape, strokes_.anchor, c);
         for (int y = box.y0; y < box.y1; ++y) {
@@ -59,7 +60,7 @@ class Fragments {
                 const vec4 f = values.at(x, y);
                 float alpha = coverage(f[0], f[1], start, end, f[2], pen.look.cap);
                 if (alpha <= 0.0f) continue;
-                const vec3 mix = mixes ? mixes->at(x, y) : vec3(0.0f);
+                const vec4 mix = mixes ? mixes->at(x, y) : vec4(0.0f);
                 vec3 color(pen.look.color);
                 if (colors)
                     color = colors->at(x, y);
@@ -70,8 +71,9 @@ class Fragments {
                     color = glm::mix(color, glm::mix(second, second_away, mix.x), mix.z);
                 }
                 const vec2 anchor = anchors ? anchors->at(x, y) : vec2(0.0f);
-                const float ink = ink_of(strokes_.pen[c[0]], f, anchor);
-                alpha *= away == none ? ink : glm::mix(ink, ink_of(away, f, anchor), mix.y);
+                float ink = ink_of(strokes_.pen[c[0]], f, anchor);
+                if (away != none) ink = glm::mix(ink, ink_of(away, f, anchor), mix.y);
+                alpha *= breaks ? ink_left(ink, mix.w) : ink;
                 if (spine_) alpha *= spine_->visibility(strokes_.piece[c[0]], std::clamp(f[0], start, end));
                 each(x, y, Fragment{c[0], f[0], color, alpha * f[3]});
             }

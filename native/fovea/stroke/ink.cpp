@@ -31,6 +31,15 @@ int fitted(int size, float px) { return std::isfinite(px) ? int(std::clamp(std::
 
 }  // namespace
 
+std::array<float, 17> ink_levels(const PenTexture& texture) {
+    std::array<float, 17> levels{};
+    Array<float> ink = texture.ink;
+    if (ink.empty()) return levels;
+    std::ranges::sort(ink);
+    for (std::size_t k = 0; k < levels.size(); ++k) levels[k] = ink[(ink.size() - 1) * k / (levels.size() - 1)];
+    return levels;
+}
+
 PenTexture fit_texture(const PenTexture& texture, float length_px, float width_px) {
     check(texture.width > 0 && texture.height > 0 &&
               texture.ink.size() == std::size_t(texture.width) * std::size_t(texture.height),

@@ -6,6 +6,9 @@
 
 namespace fovea::stroke {
 
+/// Pen::ink_levels of a texture; of an empty one 0.
+std::array<float, 17> ink_levels(const PenTexture& texture);
+
 /// Area-filtered copy of a texture with at most one column per px of `length_px` and one row per px of `width_px` (at
 /// least one of each); never larger than the texture. The mean is preserved, so bilinear sampling neither flickers nor
 /// loses ink. Also sets the row means. Throws if the texture is empty or its array has the wrong size.

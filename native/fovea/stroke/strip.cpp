@@ -147,6 +147,7 @@ class Strip {
                                .half_width = 0.5f * (p.half_width + q.half_width),
                                .opacity = 0.5f * (p.opacity + q.opacity),
                                .mix = 0.5f * (p.mix + q.mix),
+                               .faint = 0.5f * (p.faint + q.faint),
                                .tint = 0.5f * (p.tint + q.tint),
                                .color = 0.5 * (p.color + q.color),
                                .along = 0.5 * (p.along + q.along),
@@ -189,7 +190,7 @@ class Strip {
         out_.arc.push_back({float(u), float(side * (p.half_width + fringe)), ends_.start, ends_.end});
         out_.half_width.push_back(p.half_width);
         out_.opacity.push_back(p.opacity);
-        out_.mix.push_back({p.mix.x, p.mix.y, p.tint});
+        out_.mix.push_back({p.mix.x, p.mix.y, p.tint, p.faint});
         CenterPoint here = p;
         here.go(u - p.arc);
         out_.anchor.push_back({float(here.along), float(here.whole_px)});

@@ -14,7 +14,7 @@ struct Strokes {
     Array<vec2> px;
     Array<vec4> arc;
     Array<float> half_width, opacity;
-    Array<vec3> mix;
+    Array<vec4> mix;
     Array<vec2> anchor;
     Array<Index> pen, piece;
     Array<vec3> color;
@@ -30,8 +30,8 @@ struct Strokes {
         Column{"opacity", &Strokes::opacity, "(V,) float32 of strength, thinness and the pens"},
         Column{
             "mix", &Strokes::mix,
-            "(V, 3) float32, each in [0, 1]: how far color and ink are those of the pen out of focus, and how far the "
-            "color is the pen's second one"},
+            "(V, 4) float32: how far color and ink are those of the pen out of focus, and how far the color is the pen's "
+            "second one, each in [0, 1]; and up to how much ink of its texture nothing is left, 0: all is"},
         Column{
             "anchor", &Strokes::anchor,
             "(V, 2) float32, for marks fixed to the path: place on the whole path, from -.5 to .5, and the pixels of "

@@ -45,7 +45,7 @@ class LineWriter {
         return std::max(opacity_of(line.points[i]), opacity_of(line.points[i + 1])) > unseen;
     }
     float opacity_of(const CenterPoint& p) const {
-        const double whole = grain_->opacity * p.opacity / std::max(p.thinness, 1e-6f);
+        const double whole = grain_->opacity * p.mean_opacity();
         return float(std::clamp(whole, 0.0, 1.0));
     }
 

@@ -31,7 +31,7 @@ dvec4 ink_of(const CenterPoint& p, const Pen& pen, const Pen& away, double densi
     const double mix = p.mix.x;
     const dvec3 second = glm::mix(near.second_color, far.second_color, mix);
     const dvec3 color = glm::mix(p.color, second, double(p.tint));
-    const double opacity = density * p.opacity / std::max(p.thinness, 1e-6f);
+    const double opacity = density * p.mean_opacity();
     return {color::displayed(color), color::displayed_opacity(opacity, color, paper)};
 }
 
