@@ -1305,8 +1305,8 @@ class Strokes:
         """(V,) float32 of strength, thinness and the pens"""
     @property
     def mix(self) -> NDArray[numpy.float32]:
-        """(V, 3) float32, each in [0, 1]: how far color and ink are those of the pen out of focus, and how far the
-        color is the pen's second one"""
+        """(V, 4) float32: how far color and ink are those of the pen out of focus, and how far the color is the pen's
+        second one, each in [0, 1]; and up to how much ink of its texture nothing is left, 0: all is"""
     @property
     def anchor(self) -> NDArray[numpy.float32]:
         """(V, 2) float32, for marks fixed to the path: place on the whole path, from -.5 to .5, and the pixels of a

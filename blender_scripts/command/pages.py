@@ -237,7 +237,8 @@ COMPARED = {  # picture -> (scene with motion, its lines, settings of each row)
         "contour,crease",
         [
             {"animation.visibility_frames": 0},
-            *({"animation.visibility_frames": 2, "animation.vanish": how} for how in ("FADE", "BREAK_UP", "RETRACT")),
+            *({"animation.visibility_frames": 2, "animation.vanish": how} for how in ("FADE", "RETRACT", "BREAK_UP")),
+            {"animation.visibility_frames": 2, "animation.vanish": "BREAK_UP", "pen.texture": "charcoal"},
         ],
     ),
     "blurred": ("walk", "contour", [{}, {"animation.motion_blur": True, "animation.motion_samples": 16}]),

@@ -3,7 +3,7 @@
 
 import numpy as np
 import pytest
-from native_frames import core, frame_of, hills, pipeline, room, scene_of, style, view_of
+from native_frames import ball, box, core, frame_of, hills, moved, pipeline, room, scene_of, style, view_of
 from the_addon import part
 
 pytestmark = pytest.mark.gpu
@@ -152,6 +152,31 @@ def test_strokes_that_boil_and_are_written_by_half():
         assert off.mean() < 1e-3 and (off > 0.02).mean() < 1e-3 and drawn[..., 3].max() > 0.9
         pictures.append(drawn)
     assert np.abs(pictures[0] - pictures[1]).max() > 0.3
+
+
+def test_strokes_that_break_up_through_their_texture():
+    """Behind a bar that passes, lines are seen for a part of the time."""
+    chosen = lines_by(style.Pen(width=8, texture="pencil")).replace(
+        animation=style.Animation(visibility_frames=2, vanish="break_up")
+    )
+    options, view = pipeline.options(visibility="exact"), view_of(320, 200)
+
+    def at(frame, near=None):
+        bar = (box((0.2, 0.2, 3)), moved((0.4 * frame + 2, -2.4, 0)))
+        scene = scene_of([(box((1.5, 1.5, 0.5)), moved((0, 0, 0), 0.3)), (ball(), moved((0, 0, 1.2))), bar])
+        return pipeline.frame(scene, view, chosen, core.CpuBackend(), options, near=near)
+
+    near = {away: at(away).found_lines().near_lines for away in (-2, -1, 1, 2)}
+    frame = at(0, pipeline.Near(near))
+    frame.ink()
+    drawn, reference = part("gpu.backend").Backend().draw(frame), core.CpuBackend().draw(frame)
+    off = np.abs(drawn - reference).max(axis=2)
+    assert (frame.strokes.mix[:, 3] > 0.1).sum() > 50
+    # At the edge of what is left ink changes ten times as fast as the texture does.
+    assert off.mean() < 1e-3 and (off > 0.02).mean() < 3e-3
+    whole = at(0)
+    whole.ink()
+    assert (core.CpuBackend().draw(whole)[..., 3] - reference[..., 3]).max() > 0.3
 
 
 def test_no_strokes():

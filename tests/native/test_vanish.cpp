@@ -63,7 +63,8 @@ double inked(const Array<vec4>& image) {
 
 TEST(Vanish, OfATextureSoMuchIsLeftAsIsSeen) {
     const Pen pen = pen_with(grain());
-    for (const float seen : {0.1f, 0.25f, 0.5f, 0.75f, 0.9f}) EXPECT_NEAR(inked(drawn_all(pen, seen)), seen, 0.12) << seen;
+    for (const float seen : {0.1f, 0.25f, 0.5f, 0.75f, 0.9f})
+        EXPECT_NEAR(inked(drawn_all(pen, seen)), seen, 0.12) << seen;
     EXPECT_EQ(inked(drawn_all(pen, 0.0f)), 0.0);
     const Array<vec4> whole = drawn_all(pen, 1.0f);
     EXPECT_EQ(inked(whole), 1.0);

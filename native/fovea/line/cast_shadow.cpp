@@ -33,7 +33,7 @@ constexpr double round_turn = 0.8, round_reach = 4.0;
 
 /// A piece, and the edge that casts it.
 struct Cast {
-    ShadowPiece piece;  // placement `none`: an edge without length, which makes one point of its vertices
+    ShadowPiece piece;              // placement `none`: an edge without length, which makes one point of its vertices
     Index placement, edge, number;  // of the edge's pieces
 };
 

@@ -13,7 +13,8 @@ template <>
 inline constexpr Choice choices_of<Vanish>[] = {
     {"fade", "Fade", "Their opacity is the share of the time for which they are seen"},
     {"shrink", "Shrink", "Their width is the share of the time for which they are seen"},
-    {"break_up", "Break Up", "They break up through the texture of their pen, faint ink first; of solid pens into blots, which shrink"},
+    {"break_up", "Break Up",
+     "They break up through the texture of their pen, faint ink first; of solid pens into blots, which shrink"},
     {"retract", "Retract", "Their ends are where they are seen for half of the time"},
 };
 
