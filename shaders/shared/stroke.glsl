@@ -31,9 +31,9 @@ float ink_softness()
 }
 
 // What is left of ink there: all above `faint`, nothing that is less by the softness.
-float stroke_ink_left(float ink, float faint)
+float stroke_ink_left(float amount, float faint)
 {
-  return ink * clamp((ink - faint) / ink_softness() + 1.0f, 0.0f, 1.0f);
+  return amount * clamp((amount - faint) / ink_softness() + 1.0f, 0.0f, 1.0f);
 }
 
 // Texture coordinate across the stroke [texels], clamped at its sides.
