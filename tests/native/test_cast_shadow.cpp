@@ -145,13 +145,21 @@ TEST(CastShadow, OfABoxIsTheHullOfItsCorners) {
     }
 }
 
-TEST(CastShadow, OfAPolygonWithTwoCornersInOnePlaceIsClosed) {
-    Mesh mesh("polygon", {{-1, -1, 2}, {1, -1, 2}, {1, 1, 2}, {1, 1, 2}, {-1, 1, 2}});
-    mesh.add_polygon({0, 1, 2, 3, 4});
-    const Lines found = shadows_of({place(mesh, dmat4(1.0), 1), floor_at(0.0)}, {sun(slanted)});
-    EXPECT_EQ(found.ids.size(), 1u);
-    EXPECT_EQ(found.closed, 1u);
-    EXPECT_NEAR(length(found.on(1)), 8.0, 1e-3);
+TEST(CastShadow, OfAPolygonWithCornersInOnePlaceIsClosed) {
+    for (const int corners : {2, 3, 5}) {
+        Mesh mesh("polygon", {{-1, -1, 2}, {1, -1, 2}, {-1, 1, 2}});
+        std::vector<int> polygon{0, 1};
+        for (int i = 0; i < corners; ++i) {
+            polygon.push_back(int(mesh.positions.size()));
+            mesh.positions.push_back({1, 1, 2});
+        }
+        polygon.push_back(2);
+        mesh.add_polygon(polygon);
+        const Lines found = shadows_of({place(mesh, dmat4(1.0), 1), floor_at(0.0)}, {sun(slanted)});
+        EXPECT_EQ(found.ids.size(), 1u) << corners;
+        EXPECT_EQ(found.closed, 1u) << corners;
+        EXPECT_NEAR(length(found.on(1)), 8.0, 1e-3) << corners;
+    }
 }
 
 TEST(CastShadow, OfAnEdgeWithoutEndEnds) {
