@@ -57,7 +57,7 @@ Array<Cast> shadows_of(const LightEye& eye, const Cancel& cancel) {
                 const Edge& edge = surface.edges[e];
                 const dvec3 from = place(edge.x), to = place(edge.y);
                 if (from == to) {
-                    part.push_back({{.placement = none}, placement, e, 0});
+                    part.push_back({{}, placement, e, 0});
                     continue;
                 }
                 const bool is_round = surface.sides(e).size() == 2 && field::turn_at(surface, e) < round_turn;

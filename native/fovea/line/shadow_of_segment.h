@@ -15,8 +15,8 @@ struct CastingSegment {
 
 /// A straight piece of a shadow on a facet; in the light's space.
 struct ShadowPiece {
-    Index placement, triangle;  ///< the triangle is one of the facet
-    dvec3 point[2];
+    Index placement = none, triangle = none;  ///< the triangle is one of the facet
+    dvec3 point[2] = {};
     bool goes_on = false;               ///< the next piece begins where this one ends
     bool starts = false, ends = false;  ///< its ends are shadows of the segment's ends
 };
