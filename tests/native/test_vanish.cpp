@@ -41,13 +41,17 @@ Array<vec4> drawn(const Pen& pen, const std::vector<float>& seen, const PenTextu
     clipped.samples = samples;
     const Runs runs = whole_runs(clipped);
     const Index pens[] = {0};
+    Emphasis emphasis;
+    emphasis.seen = seen;
+    Moment moment;
+    moment.vanish = style::Vanish::break_up;
     const Inking inking{.clipped = clipped,
                         .runs = runs,
                         .pen_of_run = pens,
                         .strength = {},
                         .pens = {&pen, 1},
-                        .emphasis = {.seen = seen},
-                        .moment = {.vanish = style::Vanish::break_up}};
+                        .emphasis = emphasis,
+                        .moment = moment};
     return picture(tessellate(inking), pen, width, height, {&texture, 1});
 }
 
