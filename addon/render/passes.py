@@ -37,7 +37,7 @@ class Pass:
     @property
     def kind(self):
         """As what Blender's compositor has it."""
-        return {"R": "COLOR", "r": "COLOR", "X": "VECTOR"}[self.channels[0]] if len(self.channels) > 1 else "VALUE"
+        return {"X": "VALUE", "Z": "VALUE", "XYZW": "VECTOR"}.get(self.channels, "COLOR")
 
     def is_on(self, layer):
         return not self.switch or layer.path_resolve(self.switch)

@@ -225,16 +225,21 @@ def _moment(engine, depsgraph, styled, backend, options, cancel, near, number):
 
 def _pose(engine, depsgraph, styled, cancel):
     """The native Pose of the frame that a final render's depsgraph is evaluated at."""
-    found = gather(engine, depsgraph, styled(depsgraph), with_colors=False, cancel=cancel)
-    return native.load().Pose(found.placed, scene.seen(native.load(), camera.of_render(engine, depsgraph)))
+    _, found, seen = _read_now(engine, depsgraph, styled, cancel)
+    return native.load().Pose(found.placed, seen)
+
+
+def _read_now(engine, depsgraph, styled, cancel):
+    """(Style, Read without colors, native View) of what a final render's depsgraph is evaluated at."""
+    chosen = styled(depsgraph)
+    found = gather(engine, depsgraph, chosen, with_colors=False, cancel=cancel)
+    return chosen, found, scene.seen(native.load(), camera.of_render(engine, depsgraph))
 
 
 def _frame_now(engine, depsgraph, styled, backend, options, cancel, where, near=None):
     """(content as of near_frames, native Frame without colors) of what a final render's depsgraph is evaluated at.
     `where`: what that is called in the header."""
-    chosen = styled(depsgraph)
-    found = gather(engine, depsgraph, chosen, with_colors=False, cancel=cancel)
-    seen = scene.seen(native.load(), camera.of_render(engine, depsgraph))
+    chosen, found, seen = _read_now(engine, depsgraph, styled, cancel)
 
     def progress(_, stage):
         stage_labels.show(engine, f"{where}: {stage_labels.label(stage)}")

@@ -90,7 +90,7 @@ def test_they_are_those_that_cycles_has_of_the_surfaces_at_lines_of_the_mesh(tmp
 
 @pytest.fixture
 def box():
-    """A scene of a box that moves to the right and back, steadily."""
+    """A scene of a box that moves to the right."""
     scene = scene_of()
     keyed(new_object(box_mesh(), "Box"), "location", ((-0.3, 0, 0), (0, 0, 0), (0.2, 0, 0)))
     only_lines(scene, "crease", "contour")

@@ -53,8 +53,9 @@ Pens pens_of(const style::Style& style, const Assets& assets, double scale) {
         made.texture_length_px = float(pen.length_scale * assets.texture_length(pen.texture) * width);
         if (const auto texture = numbers.find(pen.texture); texture != numbers.end()) {
             made.texture = texture->second;
-            made.ink_levels = stroke::ink_levels(
-                stroke::fit_texture(found.textures[made.texture], made.texture_length_px, made.width_px));
+            if (style.animation.vanish == style::Vanish::break_up)
+                made.ink_levels = stroke::ink_levels(
+                    stroke::fit_texture(found.textures[made.texture], made.texture_length_px, made.width_px));
         }
         found.pens.push_back(made);
     }

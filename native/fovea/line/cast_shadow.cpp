@@ -8,6 +8,7 @@
 #include <tuple>
 #include <unordered_map>
 
+#include <fovea/base/disjoint_sets.h>
 #include <fovea/base/hash.h>
 #include <fovea/field/turn.h>
 #include <fovea/line/look_at.h>
@@ -73,29 +74,22 @@ Array<Cast> shadows_of(const LightEye& eye, const Cancel& cancel) {
 class Joints {
    public:
     Index next() { return count_++; }
-    /// Two vertices of a placement are one point.
-    void unite(Index placement, const Edge& vertices) {
-        const Index a = point_of(placement, vertices.x), b = point_of(placement, vertices.y);
-        if (a != b) point_[{placement, std::max(a, b)}] = std::min(a, b);
+    /// Two vertices of a placement, of so many, are one point.
+    void join(Index placement, const Edge& vertices, std::size_t count) {
+        points_.try_emplace(placement, count).first->second.join(vertices.x, vertices.y);
     }
     /// At the shadow of a vertex on a facet.
     Index at_vertex(const Cast& cast, Index vertex, Index facet) {
-        const Index point = point_of(cast.placement, vertex);
+        const auto points = points_.find(cast.placement);
+        const Index point = points == points_.end() ? vertex : points->second.name(vertex);
         const auto [it, is_new] = of_vertex_.try_emplace({cast.placement, point, cast.piece.placement, facet}, count_);
         count_ += is_new;
         return it->second;
     }
 
    private:
-    /// The vertex that stands for all that are one point with it.
-    Index point_of(Index placement, Index vertex) const {
-        for (auto at = point_.find({placement, vertex}); at != point_.end(); at = point_.find({placement, vertex}))
-            vertex = at->second;
-        return vertex;
-    }
-
     Index count_ = 0;
-    std::map<std::pair<Index, Index>, Index> point_;  // per vertex that is one with another: a lower one
+    std::map<Index, DisjointSets> points_;  // vertices per placement; of those alone of which some are one
     std::map<std::tuple<Index, Index, Index, Index>, Index> of_vertex_;
 };
 
@@ -105,14 +99,15 @@ void append_curves(const LightEye& eye, In<Cast> shadows, In<std::uint8_t> drawn
     std::map<Index, std::shared_ptr<KeptCurves>> of_placement;
     std::unordered_map<Index, dmat4> to_object;
     Joints joints;
-    const auto edge_of = [&](const Cast& cast) { return scene.placements[cast.placement].surface->edges[cast.edge]; };
+    const auto caster = [&](const Cast& cast) -> const Surface& { return *scene.placements[cast.placement].surface; };
     for (const Cast& cast : shadows)
-        if (cast.piece.placement == none) joints.unite(cast.placement, edge_of(cast));
+        if (cast.piece.placement == none)
+            joints.join(cast.placement, caster(cast).edges[cast.edge], caster(cast).vertex_count());
     Index from = none;  // where the piece before goes on
     for (const Cast& cast : shadows) {
         const auto& [placement, triangle, point, goes_on, starts, ends] = cast.piece;
         if (placement == none) continue;
-        const Edge edge = edge_of(cast);
+        const Edge& edge = caster(cast).edges[cast.edge];
         const Index facet = scene.placements[placement].surface->triangle_facet[triangle];
         const Index start = from != none ? from : starts ? joints.at_vertex(cast, edge.x, facet) : none;
         const Index end = goes_on ? joints.next() : ends ? joints.at_vertex(cast, edge.y, facet) : none;

@@ -94,10 +94,14 @@ struct ClippedPaths {
         const Index i = segment_at(piece, arc);
         return glm::mix(px[i], px[i + 1], float(share_at(i, arc)));
     }
-    /// View-space position on a segment, at a share of its way in the image.
+    /// Share of a segment's way in space at a share of its way in the image.
+    double in_space(Index segment, double share) const {
+        if (orthographic) return share;
+        return share_in_space(share, -double(position_view[segment].z), -double(position_view[segment + 1].z));
+    }
+    /// View-space position there.
     dvec3 position_at(Index segment, double share) const {
-        const dvec3 a(position_view[segment]), b(position_view[segment + 1]);
-        return glm::mix(a, b, orthographic ? share : share_in_space(share, -a.z, -b.z));
+        return glm::mix(dvec3(position_view[segment]), dvec3(position_view[segment + 1]), in_space(segment, share));
     }
     /// Per-point values of Paths, interpolated at a clipped point.
     float at_point(In<float> values, Index point) const { return between_points(values, point); }

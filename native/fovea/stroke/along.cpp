@@ -42,20 +42,13 @@ float left(float near, float away, float mix, float near_share, float away_share
     return whole > 0.0f ? glm::mix(near * (1.0f - near_share), away * (1.0f - away_share), mix) / whole : 0.0f;
 }
 
-/// Share in space of a segment's part before an arc length.
-double share_in_space_at(const ClippedPaths& clipped, Index segment, double arc) {
-    const double s = clipped.share_at(segment, arc);
-    if (clipped.orthographic) return s;
-    return share_in_space(s, -clipped.position_view[segment].z, -clipped.position_view[segment + 1].z);
-}
-
 /// Per-point values of Paths at an arc length, clamped to the piece; `otherwise` without values.
 template <typename T>
 T value_at(const Course& course, In<T> values, double arc, const T& otherwise) {
     if (values.empty()) return otherwise;
     const ClippedPaths& clipped = course.clipped;
     const Index i = clipped.segment_at(course.piece, arc);
-    const float t = float(share_in_space_at(clipped, i, arc));
+    const float t = float(clipped.in_space(i, clipped.share_at(i, arc)));
     return glm::mix(clipped.at_point(values, i), clipped.at_point(values, i + 1), t);
 }
 

@@ -47,9 +47,7 @@ void PathAnchor::place(CenterLine& line) const {
 /// Arc length in the rest shape, from the start of the path, at one in the image inside the piece.
 double PathAnchor::rest_at(double arc) const {
     const Index i = clipped_.segment_at(piece_, arc), from = clipped_.source[i];
-    const double near = -clipped_.position_view[i].z, far = -clipped_.position_view[i + 1].z;
-    const double on_screen = clipped_.share_at(i, arc);
-    const double share = clipped_.orthographic ? on_screen : share_in_space(on_screen, near, far);
+    const double share = clipped_.in_space(i, clipped_.share_at(i, arc));
     const double begin = clipped_.source_t[i], end = clipped_.source[i + 1] == from ? clipped_.source_t[i + 1] : 1.0;
     return glm::mix(paths_->arc_obj[from], paths_->arc_obj[from + 1], glm::mix(begin, end, share));
 }

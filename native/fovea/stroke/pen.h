@@ -27,7 +27,8 @@ struct Pen {
     float texture_length_px = 256.0f;
     /// Index into the frame's textures; `none`: solid.
     Index texture = none;
-    /// Levels of the ink of its fitted texture (ink.h): a share k / 16 of it has at most [k]; 0 of a solid pen.
+    /// Levels of the ink of its fitted texture (ink.h): a share k / 16 of it has at most [k]. 0 of a solid pen, and
+    /// where lines do not break up.
     std::array<float, 17> ink_levels{};
     /// Index of the out-of-focus pen; `none`: this one.
     Index away = none;

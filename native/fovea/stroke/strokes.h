@@ -28,10 +28,10 @@ struct Strokes {
         Column{"half_width", &Strokes::half_width,
                "(V,) float32 half the drawn width [px], at least .5: thinner pens are drawn a pixel wide and fainter"},
         Column{"opacity", &Strokes::opacity, "(V,) float32 of strength, thinness and the pens"},
-        Column{"mix", &Strokes::mix,
-               "(V, 4) float32: how far color and ink are those of the pen out of focus, and how far the color is the "
-               "pen's "
-               "second one, each in [0, 1]; and up to how much ink of its texture nothing is left, 0: all is"},
+        Column{
+            "mix", &Strokes::mix,
+            "(V, 4) float32: how far color and ink are those of the pen out of focus, and how far the color is "
+            "the pen's second one, each in [0, 1]; and up to how much ink of its texture nothing is left, 0: all is"},
         Column{
             "anchor", &Strokes::anchor,
             "(V, 2) float32, for marks fixed to the path: place on the whole path, from -.5 to .5, and the pixels of "
