@@ -336,7 +336,7 @@ def moving(name, path):
         scene.render.resolution_x, scene.render.resolution_y = pages.ANIMATION_SIZE
         marks = pages.MARKS_FRAMES.get(name, 0) if anchor == "path" else 0
         drawer, frames = drawers.Fovea(scene, anchor, marks=marks), []
-        drawer.lines(pages.ANIMATION[name])
+        drawer.lines(coherence.LINES[pages.ANIMATION[name]])
         for k in range(scene.frame_start, scene.frame_end + 1):
             scene.frame_set(k)
             drawer.frame()

@@ -82,9 +82,8 @@ def of_data(obj, scene):
     return Shape((data.as_pointer(),), "", materials.of(obj, data)[:1], outlined, read)
 
 
-def of_particles(obj, depsgraph):
-    """The Shapes of an instance's particle hair. `obj`: the instance's object."""
-    real = obj.original.evaluated_get(depsgraph)
+def of_particles(real, depsgraph):
+    """The Shapes of an instance's particle hair. `real`: the evaluated original of its object."""
     if real.fovea.hair == "OFF":
         return
     shown, ribbons = "show_render" if depsgraph.mode == "RENDER" else "show_viewport", real.fovea.hair == "RIBBONS"

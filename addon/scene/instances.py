@@ -15,9 +15,14 @@ POLLED = 1 << 10  # instances from one look at a Cancel to the next
 AT_ONCE = bpy.app.version >= (5, 2)
 
 
+def instancer(instance):
+    """The object that an instance is of; None of what no object instances."""
+    return instance.parent if instance.is_instance else None
+
+
 def owner(instance):
     """Whose visibility an instance has: its instancer's or, of what no object instances, its own."""
-    return (instance.parent if instance.is_instance else None) or instance.object
+    return instancer(instance) or instance.object
 
 
 def placements(depsgraph, viewport):

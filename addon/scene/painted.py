@@ -82,9 +82,9 @@ class Gathering:
 
     def arguments(self, snapshot):
         """The arguments of native Overrides for a Snapshot's placements."""
-        of_objects = [np.array([origin.color], np.float32) for origin in snapshot.origins]
+        of_objects = np.array([origin.color for origin in snapshot.origins], np.float32).reshape(-1, 1, 3)
         return {
-            "painted": _placed(self._numbers, snapshot, [_mean(color) for color in of_objects]),
+            "painted": _placed(self._numbers, snapshot, _mean(of_objects)),
             "painted_colors": _placed(self._colors, snapshot, of_objects),
         }
 
@@ -147,4 +147,4 @@ def _placed(arrays, snapshot, of_origins):
 
 
 def _mean(colors):
-    return colors.mean(axis=1)
+    return colors.mean(axis=-1)

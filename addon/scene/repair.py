@@ -30,9 +30,8 @@ REMARKS = {  # counts of a native RepairReport -> text
 REMOVED = {"repair_weld": "Weld", "repair_smooth": "Smooth"}  # settings of old files -> the modifier to use instead
 
 
-def of(obj, depsgraph):
-    """The Repair in the settings of an instance's object; None if it does nothing."""
-    settings = obj.original.evaluated_get(depsgraph).fovea
+def of(settings):
+    """The Repair in an object's settings; None if it does nothing."""
     length = settings.repair_edge_length if settings.repair_resample else 0.0
     wanted = Repair(settings.repair_orient, settings.repair_resample, length)
     return None if wanted == NOTHING else wanted

@@ -3,6 +3,7 @@
 
 import hashlib
 from functools import partial
+from typing import NamedTuple
 
 import bpy
 import numpy as np
@@ -31,6 +32,17 @@ VIEWPORTS = 4  # factor on the number of passes after which unused surfaces are 
 USAGE = {"BOTH": DRAW | OCCLUDE, "OCCLUDE": OCCLUDE, "DRAW": DRAW, "IGNORE": 0}
 
 
+class _Met(NamedTuple):
+    """An instance, and what is read of it more than once."""
+
+    object: object  # a temporary copy, as are objects that Blender converted to meshes
+    real: object  # its evaluated original, of which settings are read: reading them from a copy leaks memory
+    settings: object
+    owner: object  # whose visibility it has (instances.owner)
+    name: str  # the object's full name
+    parent: str  # full name of its instancer; "": none
+
+
 class _Gathering:
     """Collects placements during the traversal of a depsgraph; one surface per distinct (evaluated mesh, materials,
     subdivision plan, repair, curvature settings, shape). `beside`: further Gatherings that get each surface; `ahead`: a
@@ -52,89 +64,79 @@ class _Gathering:
 
     def meet(self, instance):
         """Adds the Origins of a kind of instances, by the first of them."""
-        first = len(self.origins)
-        if instance.object.type == "LIGHT" and instance.show_self:
-            parent = instance.parent.name_full if instance.is_instance and instance.parent else ""
-            names = self.name_hash(instance.object.name_full, parent)
-            self.lights[len(self.origins_of_kind)] = instance.object.data, names
-        usage = self.usage(instance)
+        first, obj = len(self.origins), instance.object
+        real, parent = obj.original.evaluated_get(self.depsgraph), instances.instancer(instance)
+        met = _Met(obj, real, real.fovea, parent or obj, obj.name_full, parent.name_full if parent else "")
+        if obj.type == "LIGHT" and instance.show_self:
+            self.lights[len(self.origins_of_kind)] = obj.data, self.name_hash(met.name, met.parent)
+        usage = self.usage(met)
         if usage and instance.show_self:
-            self.add_data(instance, usage)
+            self.add_data(met, usage)
         if usage and instance.show_particles:
-            for shape in bare_shapes.of_particles(instance.object, self.depsgraph):
-                self.add_shape(shape, instance, usage)
+            for shape in bare_shapes.of_particles(real, self.depsgraph):
+                self.add_shape(shape, met, usage)
         self.origins_of_kind.append((first, len(self.origins) - first))
 
-    def add_data(self, instance, usage):
+    def add_data(self, met, usage):
         """Adds what is drawn of an instance's own data."""
-        obj = instance.object
+        obj = met.object
         if isinstance(obj.data, bpy.types.Mesh):
             if is_edited(obj):
                 # The arrays of an edited mesh are empty; to_mesh creates a mesh with them.
-                self.add_mesh(obj, obj.to_mesh(), instance, usage)
+                self.add_mesh(obj.to_mesh(), met, usage)
                 obj.to_mesh_clear()
             else:
-                self.add_mesh(obj, obj.data, instance, usage)
+                self.add_mesh(obj.data, met, usage)
         # Objects that Blender converts to meshes appear twice: with their own data, and with the mesh, if it has faces.
         elif obj.type in bare_shapes.CURVES:
-            self.add_wire(instance, usage)
+            self.add_wire(met, usage)
         elif shape := bare_shapes.of_data(obj, followed.of(self.depsgraph.scene)):
-            self.add_shape(shape, instance, usage)
+            self.add_shape(shape, met, usage)
 
-    def usage(self, instance):
+    def usage(self, met):
         """Usage bits of an instance: those of its object and of its instancer (a collection instance, say) combined by
         and."""
-        obj, owner = instance.object, instances.owner(instance)
-        # Instances are temporary copies, and so are objects that Blender converted to meshes. Settings are read from
-        # the evaluated originals (reading them from a copy leaks memory).
+        obj, owner = met.object, met.owner
         if self.section and self.section.original in (obj.original, owner.original):
             return 0  # it stands for a plane
-        same = obj == owner
-        obj = obj.original.evaluated_get(self.depsgraph)
-        owner = obj if same else owner.original.evaluated_get(self.depsgraph)
-        usage = USAGE[obj.fovea.usage] if same else USAGE[obj.fovea.usage] & USAGE[owner.fovea.usage]
-        if not obj.visible_camera or owner.indirect_only_get(view_layer=self.layer):
+        usage = USAGE[met.settings.usage]
+        if obj == owner:
+            owner = met.real
+        else:
+            owner = owner.original.evaluated_get(self.depsgraph)
+            usage &= USAGE[owner.fovea.usage]
+        if not met.real.visible_camera or owner.indirect_only_get(view_layer=self.layer):
             return 0
         if self.viewport is not None and not owner.visible_in_viewport_get(self.viewport):
             return 0
-        holdout = obj.is_holdout or owner.holdout_get(view_layer=self.layer)
+        holdout = met.real.is_holdout or owner.holdout_get(view_layer=self.layer)
         return OCCLUDE | HOLDOUT if holdout and usage & OCCLUDE else usage
 
-    def curvature(self, obj):
-        """Curvature settings of an object, as arguments of the native Surface.set_field_options."""
-        settings = obj.original.evaluated_get(self.depsgraph).fovea
-        rings = settings.curvature_rings if settings.curvature_estimator == "JETS" else 0
-        return settings.curvature_estimator.lower(), 0, rings, settings.curvature_smoothing
-
-    def shape(self, obj):
-        """What an object's polygons stand for, in words of the native Surface.set_shape."""
-        return obj.original.evaluated_get(self.depsgraph).fovea.shape.lower()
-
-    def surface_index(self, obj, mesh):
+    def surface_index(self, mesh, met):
         # Evaluated meshes keep their addresses during one traversal of a depsgraph, so a pointer identifies one, except
         # the temporary mesh of edit mode and that of a curve. The object is part of the key because it may have its own
         # materials.
+        obj, real = met.object, met.real
         is_mesh = isinstance(obj.data, bpy.types.Mesh)
-        place = mesh.as_pointer() if is_mesh and not is_edited(obj) else (obj.name_full, obj.data.as_pointer())
-        met = (place, obj.name_full)
-        if met not in self.index_of:
+        place = mesh.as_pointer() if is_mesh and not is_edited(obj) else (met.name, obj.data.as_pointer())
+        known = (place, met.name)
+        if known not in self.index_of:
             slots = materials.slots(obj, mesh, self.known_materials)
-            plan, mend = subdivision.plan(obj, mesh, self.depsgraph), repair.of(obj, self.depsgraph)
-            curvature = self.curvature(obj)
-            shape = self.shape(obj)
+            plan, mend = subdivision.plan(real, mesh, self.depsgraph), repair.of(met.settings)
+            curvature, shape = _curvature(met.settings), met.settings.shape.lower()
             shared = (place, slots, plan, mend, curvature, shape)
             if shared not in self.index_of:
                 self.index_of[shared] = len(self.surfaces)
-                cuts, remarks = self.cuts(obj, mesh, slots, plan, mend)
-                surface = self.surface(obj, mesh, slots, plan if cuts is None else None, mend, cuts, shape)
+                cuts, remarks = self.cuts(met, mesh, slots, plan, mend)
+                surface = self.surface(met, mesh, slots, plan if cuts is None else None, mend, cuts, shape)
                 if self.cache.rebuilt[-1:] == [surface]:
                     told = [*repair.remarks_of_removed(obj), *remarks]
                     self.cache.remarks += [sentence for sentence in told if sentence not in self.cache.remarks]
                 surface.set_field_options(*curvature)
-                cage = partial(subdivision.cage, obj, mesh, plan, self.depsgraph)
+                cage = partial(subdivision.cage, real, mesh, plan, self.depsgraph)
                 self.add_surface(obj, mesh, surface, slots, cage, repaired=mend is not None)
-            self.index_of[met] = self.index_of[shared]
-        return self.index_of[met]
+            self.index_of[known] = self.index_of[shared]
+        return self.index_of[known]
 
     def add_surface(self, obj, mesh, surface, slots, cage, *, repaired):
         """Adds a surface that nothing changes any more in this pass."""
@@ -145,52 +147,51 @@ class _Gathering:
         self.surfaces.append(surface)
         self.slots.append(slots)
 
-    def cuts(self, obj, mesh, slots, plan, mend):
+    def cuts(self, met, mesh, slots, plan, mend):
         """(CutOuts of an evaluated mesh or None, remarks)."""
         untold = cut_outs.untold(slots)
         if self.opacities is None or not any(slot.cut for slot in slots):
             return None, untold
+        obj = met.object
         if mend is not None:
             return None, [*untold, *cut_outs.remarks(cut_outs.REPAIRED, obj, slots)]
-        size = self.sizes.get(obj.name_full, 0.0)
-        found, remarks = cut_outs.of(self.opacities, obj, mesh, slots, size)
+        found, remarks = cut_outs.of(self.opacities, obj, mesh, slots, self.sizes.get(met.name, 0.0))
         if found and plan is not None:
             remarks += cut_outs.remarks(cut_outs.REFINED, obj, slots)
         return found, [*untold, *remarks]
 
-    def surface(self, obj, mesh, slots, plan, mend, cuts, shape):
+    def surface(self, met, mesh, slots, plan, mend, cuts, shape):
         """The native surface of an evaluated mesh, refined by `plan`, repaired by `mend`, cut by `cuts`; each may be
         None."""
-        key, found = (obj.name_full, mesh.name_full, slots), None
-        words = {"with_marks": self.with_marks, "shape": shape}
-        rest = shapes.rest(obj, mesh, self.depsgraph)
+        key, name, found = (met.name, mesh.name_full, slots), met.object.name, None
+        words = {"with_marks": self.with_marks, "shape": shape, "rest": shapes.rest(met.real, mesh)}
         if plan is not None:
-            cage = partial(subdivision.cage, obj, mesh, plan, self.depsgraph)
-            found = self.cache.refined(key, obj.name, mesh, cage, slots, plan, mend, rest=rest, **words)
+            cage = partial(subdivision.cage, met.real, mesh, plan, self.depsgraph)
+            found = self.cache.refined(key, name, mesh, cage, slots, plan, mend, **words)
         if found is None:
-            found = self.cache.surface(key, obj.name, mesh, slots, mend, cuts, rest=rest, **words)
+            found = self.cache.surface(key, name, mesh, slots, mend, cuts, **words)
         return found
 
-    def add_mesh(self, obj, mesh, instance, usage):
+    def add_mesh(self, mesh, met, usage):
         """Adds the Origin of an evaluated mesh. Skips empty meshes."""
         if len(mesh.edges):
-            self.add_origin(self.surface_index(obj, mesh), instance, usage)
+            self.add_origin(self.surface_index(mesh, met), met, usage)
 
-    def add_shape(self, shape, instance, usage):
+    def add_shape(self, shape, met, usage):
         """Adds the Origin of a bare_shapes.Shape, unless it is empty."""
-        obj, place = instance.object, (*shape.place, instance.object.name_full)
+        place = (*shape.place, met.name)
         if place not in self.index_of:
             slots = materials.slots(shape, shape, self.known_materials)
-            surface = self.cache.bare((obj.name_full, shape.name, slots), obj.name, shape, slots)
+            surface = self.cache.bare((met.name, shape.name, slots), met.object.name, shape, slots)
             self.index_of[place] = None if surface is None else len(self.surfaces)
             if surface is not None:
                 self.add_surface(shape, shape, surface, slots, None, repaired=True)
         if self.index_of[place] is not None:
-            self.add_origin(self.index_of[place], instance, usage, shape)
+            self.add_origin(self.index_of[place], met, usage, shape)
 
-    def add_wire(self, instance, usage):
+    def add_wire(self, met, usage):
         """Adds the Origin of a curve that has no faces, as the edges that Blender makes of it."""
-        obj = instance.object
+        obj = met.object
         mesh = obj.to_mesh()
         if self.known_guides is None:
             self.known_guides = bare_shapes.guides(followed.of(self.depsgraph.scene).objects)
@@ -201,33 +202,30 @@ class _Gathering:
         elif obj.original in self.known_guides:
             self.left_out[obj.name] = bare_shapes.GUIDE
         else:
-            self.add_mesh(obj, mesh, instance, usage)
+            self.add_mesh(mesh, met, usage)
         obj.to_mesh_clear()
 
-    def add_origin(self, surface, instance, usage, shape=None):
+    def add_origin(self, surface, met, usage, shape=None):
         """Adds the Origin of placements of a surface (its index). `shape`: the Shape that it is made of, or None."""
-        obj = instance.object
         if usage & OCCLUDE and all(slot.holdout for slot in self.slots[surface]):
             usage = OCCLUDE | HOLDOUT
-        parent = instance.parent.name_full if instance.is_instance and instance.parent else ""
-        owners = (obj.name_full, parent) if parent else (obj.name_full,)
-        names, (color, priority, shown, *own) = (obj.name_full, parent), self.own(obj)
+        owners = (met.name, met.parent) if met.parent else (met.name,)
+        names, (color, priority, shown, *own) = (met.name, met.parent), self.own(met)
         if shape:
             names = (*names, shape.name) if shape.name else names
             shown &= self.outlines if shape.outlined else shown
-        names, group = self.name_hash(*names), self.outline_group(obj, parent)
-        self.origins.append(Origin(surface, names, usage, group, obj.name, owners, priority, shown, color, own))
+        names, group = self.name_hash(*names), self.outline_group(met)
+        self.origins.append(Origin(surface, names, usage, group, met.object.name, owners, priority, shown, color, own))
 
-    def own(self, obj):
-        """(color, priority, *own_lines.of) of an object, read from its evaluated original (see `_usage`)."""
-        if obj.name_full not in self.known_own:
-            real = obj.original.evaluated_get(self.depsgraph)
-            color, settings = tuple(real.color)[:3], real.fovea
-            self.known_own[obj.name_full] = (color, settings.priority, *own_lines.of(settings))
-        return self.known_own[obj.name_full]
+    def own(self, met):
+        """(color, priority, *own_lines.of) of an instance's object."""
+        if met.name not in self.known_own:
+            color = tuple(met.real.color)[:3]
+            self.known_own[met.name] = (color, met.settings.priority, *own_lines.of(met.settings))
+        return self.known_own[met.name]
 
-    def outline_group(self, obj, parent):
-        """Number of the group that an object, or the instance of it by `parent`, has one outline with; 0: of none."""
+    def outline_group(self, met):
+        """Number of the group that an object, or the instance of it by its parent, has one outline with; 0: of none."""
         if self.together is None:
             self.together = {
                 member.name_full: collection.name_full
@@ -235,11 +233,10 @@ class _Gathering:
                 if collection.fovea.one_outline
                 for member in collection.all_objects
             }
-        settings = obj.original.evaluated_get(self.depsgraph).fovea
-        if settings.outline_group:
-            return self.name_hash("", settings.outline_group)
-        collection = self.together.get(obj.name_full)
-        return self.name_hash("collection", collection, parent) if collection else 0
+        if group := met.settings.outline_group:
+            return self.name_hash("", group)
+        collection = self.together.get(met.name)
+        return self.name_hash("collection", collection, met.parent) if collection else 0
 
     def name_hash(self, *names):
         if names not in self.known_names:
@@ -271,6 +268,12 @@ class _Gathering:
             [self.cache.at_rest.decided.get(id(surface)) for surface in self.surfaces],
         )
         return Snapshot(self.surfaces, self.slots, self.origins, origin_of, matrices[steps], ids, usage, *told)
+
+
+def _curvature(settings):
+    """Curvature settings of an object, as arguments of the native Surface.set_field_options."""
+    rings = settings.curvature_rings if settings.curvature_estimator == "JETS" else 0
+    return settings.curvature_estimator.lower(), 0, rings, settings.curvature_smoothing
 
 
 def gather(

@@ -25,11 +25,10 @@ GENERATING = {"BOOLEAN", "EXPLODE", "FLUID", "MESH_SEQUENCE_CACHE", "MULTIRES", 
               "SKIN", "VOLUME_TO_MESH"}  # fmt: skip
 
 
-def rest(obj, mesh, depsgraph):
+def rest(real, mesh):
     """The mesh of an object before its modifiers and shape keys, if these deform or multiply it; None if the evaluated
-    mesh shows what the object is."""
-    real = obj.original.evaluated_get(depsgraph)  # instances are temporary copies
-    base = obj.original.data
+    mesh shows what the object is. `real`: its evaluated original."""
+    base = real.original.data
     if not isinstance(base, bpy.types.Mesh) or real.data != mesh or is_edited(real):
         return None
     if base.is_editmode or not len(base.polygons):  # while it is edited, its arrays may be missing

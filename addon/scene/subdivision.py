@@ -22,14 +22,14 @@ class Plan:
     modifier: int | None = None  # index of the modifier that the limit surface replaces; None: the mesh is the cage
 
 
-def plan(obj, mesh, depsgraph):
-    """The Plan for an instance's evaluated mesh, or None if it is drawn as it is.
+def plan(real, mesh, depsgraph):
+    """The Plan for an evaluated mesh of an object, or None if it is drawn as it is. `real`: the object's evaluated
+    original.
 
     If the last active modifier is a Catmull-Clark subdivision, the mesh before it is the cage. Other objects are
     refined only if their setting Refine is on. Modifiers with Use Limit Surface off, and objects in edit mode, are left
     to Blender.
     """
-    real = obj.original.evaluated_get(depsgraph)  # instances are temporary copies
     wanted = real.fovea.refine_level if real.fovea.refine else 0
     if real.data == mesh and not is_edited(real):
         index = _last_modifier(real, depsgraph.mode)
@@ -43,7 +43,7 @@ def plan(obj, mesh, depsgraph):
 
 
 @contextmanager
-def cage(obj, mesh, chosen, depsgraph):
+def cage(real, mesh, chosen, depsgraph):
     """Context with the mesh that a Plan refines, valid inside the `with`.
 
     Blender evaluates the object's modifiers again without the last one, which is switched off temporarily on the
@@ -53,7 +53,6 @@ def cage(obj, mesh, chosen, depsgraph):
     if chosen.modifier is None:
         yield mesh
         return
-    real = obj.original.evaluated_get(depsgraph)
     switches = _switched_off(real.modifiers, chosen.modifier)
     try:
         # Only with preserve_all_data_layers does Blender evaluate again instead of copying the result it has.
@@ -70,8 +69,9 @@ def cage(obj, mesh, chosen, depsgraph):
 def is_echo(updates):
     """Whether a depsgraph's updates were all caused by reading a `cage`: objects without changed parts."""
     parts = ("is_updated_geometry", "is_updated_transform", "is_updated_shading")
-    found = [isinstance(u.id, bpy.types.Object) and not any(getattr(u, part) for part in parts) for u in updates]
-    return bool(found) and all(found)
+    return len(updates) > 0 and all(
+        isinstance(u.id, bpy.types.Object) and not any(getattr(u, part) for part in parts) for u in updates
+    )
 
 
 def _last_modifier(obj, mode):

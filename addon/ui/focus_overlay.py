@@ -135,7 +135,7 @@ def _redraw(manager):
 @persistent
 def _changed(_scene, depsgraph):
     """Handler: invalidates all overlays after a depsgraph update, unless reading a cage caused it."""
-    if not subdivision.is_echo(depsgraph.updates):
+    if in_regions and not subdivision.is_echo(depsgraph.updates):
         for shown in list(in_regions.values()):
             shown.forget()
 

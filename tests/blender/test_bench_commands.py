@@ -100,6 +100,32 @@ def test_bench_coherence_finds_dashes_that_hold_still_and_those_that_slide(capfd
 
 
 @takes_long
+def test_bench_coherence_leaves_lines_to_the_renderers_that_have_them(capfd):
+    """Smooth contours are of Fovea and Freestyle, hatching is of Fovea alone. In 4.3 Freestyle fails on smooth contours
+    of meshes with borders, which is said."""
+    words = "--quick", "--frames", "3", "--scenes", "orbit", "--lines", "smooth,hatching"
+    fails = bpy.app.version < (4, 4)
+    assert coherence.main([*words, "--json"], bpy.app.binary_path, dict(os.environ), None) == (1 if fails else 0)
+    *own, freestyle = json.loads(capfd.readouterr().out)
+    assert [(row["renderer"], row["lines"]) for row in own] == [("fovea", "smooth"), ("fovea", "hatching")]
+    assert all(row["pure"] for row in own) and own[0]["slide_median_px"] is not None
+    assert freestyle["renderer"] == "freestyle"
+    if fails:
+        assert "Freestyle fails on these lines" in freestyle["problem"]
+    else:
+        assert freestyle["lines"] == "smooth" and freestyle["pure"]
+
+
+@takes_long
+def test_bench_coherence_measures_where_there_is_no_line(capfd):
+    """A bracket has no smooth contours."""
+    words = "--quick", "--frames", "3", "--scenes", "turntable", "--lines", "smooth", "--renderers", "fovea"
+    assert coherence.main([*words, "--json"], bpy.app.binary_path, dict(os.environ), None) == 0
+    (row,) = json.loads(capfd.readouterr().out)
+    assert row["pure"] and "problem" not in row
+
+
+@takes_long
 def test_bench_scale_tells_times_memory_and_stages_of_every_count(capfd):
     given = [("instances", 1000), ("objects", 100), ("picture", 160 * 90)]
     words = "--quick", "--size", "160x90", "--scenes", ",".join(["grid", *(f"{name}:{n}" for name, n in given)])

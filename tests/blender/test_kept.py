@@ -70,7 +70,7 @@ def test_what_is_reckoned_is_what_is_given_back(name):
     told = re.search(r"MEASURED (\{.*\})", ran.stdout)
     assert told, ran.stdout + ran.stderr
     found = json.loads(told[1])
-    # Allocators hold on to some of it for what comes next, now more and now less; they never give back more.
+    # Allocators hold on to some of it for what comes next, and free pages that what was kept shared with it.
     assert 0.25 * found["reckoned"] < found["back"] < 1.5 * found["reckoned"], found
 
 

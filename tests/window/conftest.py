@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 HERE = Path(__file__).parent
-sys.path.append(str(HERE.parents[1] / "blender_scripts"))
+sys.path += [str(HERE.parents[1] / "blender_scripts"), str(HERE.parent / "blender")]
 
 import window
 

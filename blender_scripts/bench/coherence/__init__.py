@@ -14,6 +14,7 @@ frames, of 1000 strokes. popping: mean change of ink at points that move with th
 
 import argparse
 import sys
+from dataclasses import dataclass
 from pathlib import Path
 
 from .. import peers
@@ -21,9 +22,26 @@ from .. import peers
 WORKER = Path(__file__).with_name("worker.py")
 SCENES = ("orbit", "turntable", "dolly", "zoom", "walk")  # motions.py
 RENDERERS = ("fovea", "freestyle", "line_art")
-# Fixed to the mesh; of the view; spaced evenly on paper, which only Fovea has.
-LINES = {"mesh": ("crease", "border"), "view": ("contour",), "hatching": ("hatching",)}
-ALONE = "hatching"
+
+
+@dataclass(frozen=True)
+class Lines:
+    """Lines that are measured together."""
+
+    kinds: tuple  # definitions
+    of_view: bool  # else fixed to the mesh
+    dashed: bool = True
+    usual: bool = True  # measured where none are named
+    renderers: tuple = RENDERERS  # that have them
+
+
+LINES = {
+    "mesh": Lines(("crease", "border"), of_view=False),
+    "view": Lines(("contour",), of_view=True),
+    "smooth": Lines(("smooth_contour",), of_view=True, usual=False, renderers=("fovea", "freestyle")),
+    # Spaced evenly on paper, without marks to hand on.
+    "hatching": Lines(("hatching",), of_view=False, dashed=False, usual=False, renderers=("fovea",)),
+}
 ANCHORS = ("screen", "path")
 FRAMES, QUICK_FRAMES = 16, 4
 MARKS, BAKED = 16, "baked"  # frames
@@ -40,9 +58,12 @@ def parse(words):
     add = parser.add_argument
     add("--scenes", type=peers.some_of(SCENES), default=list(SCENES), metavar="A,B", help=", ".join(SCENES))
     add("--renderers", type=peers.some_of(RENDERERS), default=list(RENDERERS), metavar="A,B", help="of all three")
-    usual = [name for name in LINES if name != ALONE]
-    lines = "mesh: creases; view: contours; hatching: of planes of the objects, without dashes (mesh,view)"
-    add("--lines", type=peers.some_of(LINES), default=usual, metavar="A,B", help=lines)
+    described = (
+        "mesh: creases; view: contours; smooth: smooth contours, not of Line Art; hatching: of planes of the objects, "
+        "without dashes, of Fovea (mesh,view)"
+    )
+    usual = [name for name, lines in LINES.items() if lines.usual]
+    add("--lines", type=peers.some_of(LINES), default=usual, metavar="A,B", help=described)
     add("--anchor", choices=ANCHORS, default="path", help="what Fovea's dashes are fixed to (path)")
     window = "frames to each side that visibility in Fovea answers to (0)"
     add("--window", type=frames_to_each_side, default=0, metavar="N", help=window)
@@ -78,7 +99,7 @@ def main(words, blender, environment, shared: Path | None) -> int:
     rows, failed = [], False
     for scene in options.scenes:
         for renderer in options.renderers:
-            lines = [name for name in options.lines if renderer == "fovea" or name != ALONE]
+            lines = [name for name in options.lines if renderer in LINES[name].renderers]
             if not lines:
                 continue
             print(f"fovea: {scene}, {renderer}", file=sys.stderr, flush=True)

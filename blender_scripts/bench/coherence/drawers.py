@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The renderers whose strokes are measured, each set to draw the same lines; see bench/renderers.py. Each is made once
-per scene: `lines(kinds)` chooses what is drawn, `frame()` draws, `polylines(view)` are the Strokes of that frame, and
+per scene: `lines(lines)` chooses what is drawn, `frame()` draws, `polylines(view)` are the Strokes of that frame, and
 `trace()` is a hash of all that was drawn. Runs inside Blender."""
 
 import hashlib
@@ -12,7 +12,7 @@ from bl_ext.user_default.fovea import pipeline
 
 from .. import renderers
 from ..focus.world import kept_results
-from . import ALONE, BAKED, LINES, PERIOD
+from . import BAKED, PERIOD
 from .measures import MIDDLE
 from .strokes import Strokes, arc_from_start, divided, mixed
 
@@ -28,14 +28,14 @@ class Fovea(renderers.Fovea):
         self.anchor, self.window, self.marks = anchor, window, marks
         self.kept, self.image, self.dashed = None, None, True
 
-    def lines(self, kinds):
+    def lines(self, lines):
         from bl_ext.user_default.fovea.style import style_data
 
         scene = bpy.context.scene
         held = style_data.use(scene, "plain")
-        style_data.choose_lines(held, kinds)
+        style_data.choose_lines(held, lines.kinds)
         held.elision.enabled = False
-        self.dashed = kinds != LINES[ALONE]
+        self.dashed = lines.dashed
         held.animation.visibility_frames = self.window
         if self.marks != BAKED:
             held.animation.marks_frames = self.marks
@@ -84,6 +84,8 @@ class Fovea(renderers.Fovea):
         """What columns of the drawn strokes have at arc lengths of pieces."""
         strokes = self.kept.strokes
         own, u = np.asarray(strokes.piece, np.float64), np.asarray(strokes.arc[:, 0], np.float64)
+        if not len(own):  # there is no such line
+            return [np.zeros(len(piece)) for _ in columns]
         reach = 2 * max(np.abs(u).max(initial=0), np.abs(arc).max(initial=0)) + 1
         axis = own * reach + u
         order = np.argsort(axis, kind="stable")
@@ -94,9 +96,9 @@ class Fovea(renderers.Fovea):
 
 
 class LineArt(renderers.LineArt):
-    def lines(self, kinds):
-        self.modifier.use_contour = "contour" in kinds  # includes the borders
-        self.modifier.use_crease = "crease" in kinds
+    def lines(self, lines):
+        self.modifier.use_contour = "contour" in lines.kinds  # includes the borders
+        self.modifier.use_crease = "crease" in lines.kinds
         self.modifier.show_viewport = False
         bpy.context.view_layer.update()
 
@@ -113,13 +115,21 @@ class LineArt(renderers.LineArt):
 
 
 class Freestyle(renderers.Freestyle):
-    """Its strokes are taken before it makes meshes of them, so that nothing of them is rendered."""
+    """Its strokes are taken before it makes meshes of them, so that nothing of them is rendered. Its silhouettes cross
+    faces that are shaded smooth if it is to take that into account."""
 
-    def lines(self, kinds):
-        kinds = {{"contour": "silhouette"}.get(kind, kind) for kind in kinds}
-        settings = bpy.context.view_layer.freestyle_settings.linesets[0]
+    def lines(self, lines):
+        settings = bpy.context.view_layer.freestyle_settings
+        settings.use_smoothness = "smooth_contour" in lines.kinds
+        kinds = {"silhouette" if kind.endswith("contour") else kind for kind in lines.kinds}
         for kind in self.kinds:
-            setattr(settings, f"select_{kind}", kind in kinds)
+            setattr(settings.linesets[0], f"select_{kind}", kind in kinds)
+
+    def frame(self):
+        self.found = None
+        super().frame()
+        if self.found is None:  # as of smooth silhouettes in 4.3, where meshes have borders
+            raise RuntimeError("this Blender's Freestyle fails on these lines")
 
     def count(self, *arguments):
         from freestyle.types import Operators

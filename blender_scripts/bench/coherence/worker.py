@@ -113,7 +113,7 @@ def measured(asked, lines):
         "scene": asked["scene"], "renderer": asked["renderer"], "lines": lines,
         "window": asked["window"], "marks": marks_of(asked, lines),
         "pure": is_pure(asked, lines, drawer, traces), "frame_s": round(float(np.median(seconds)), 4),
-        **steady.figures(dashed=lines != coherence.ALONE),
+        **steady.figures(dashed=coherence.LINES[lines].dashed),
     }  # fmt: skip
 
 
@@ -129,7 +129,7 @@ def built(asked, lines):
 
 def marks_of(asked, lines):
     """Frames over which marks are handed on: those of lines of the mesh need no others."""
-    return asked["marks"] if lines == "view" else 0
+    return asked["marks"] if coherence.LINES[lines].of_view else 0
 
 
 def draw(drawer, frame):

@@ -77,8 +77,9 @@ KnownLights Shadows::sampled(const ShadedPlace& place, int x, int y, const Known
         (lit ? known.lit : known.dark) |= bit;
     };
     for (std::size_t i = 0; i < shades_.count(); ++i) {
-        tell(of_part(i), [&] { return scene::PlaceByLight(shades_, i, place).by_part(part) == Shade::lit; });
-        tell(of_middle(i), [&] { return shades_.by(i, place) == Shade::lit; });
+        const scene::PlaceByLight seen(shades_, i, place);
+        tell(of_part(i), [&] { return seen.by_part(part) == Shade::lit; });
+        tell(of_middle(i), [&] { return seen.by_middle() == Shade::lit; });
     }
     return known;
 }

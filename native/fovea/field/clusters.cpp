@@ -17,34 +17,41 @@ constexpr double rounding = 1e-5;
 /// longest side of the bounding box of their centroids.
 class Order {
    public:
-    explicit Order(const Surface& surface) : middles_(surface.triangles.size()), triangles_(middles_.size()) {
-        parallel_for(middles_.size(), [&](std::size_t t) {
-            const Triangle& c = surface.triangles[t];
-            const auto third = [&](Index v) { return surface.positions[v] / 3.0f; };  // dividing first avoids overflow
-            middles_[t] = third(c.x) + third(c.y) + third(c.z);
-            triangles_[t] = static_cast<Index>(t);
-        });
-        split(0, triangles_.size());
+    explicit Order(const Surface& surface)
+        : placed_(parallel_map<Placed>(surface.triangles.size(), [&](std::size_t t) -> Placed {
+              const Triangle& c = surface.triangles[t];
+              // Dividing first avoids overflow.
+              const auto third = [&](Index v) { return surface.positions[v] / 3.0f; };
+              return {third(c.x) + third(c.y) + third(c.z), static_cast<Index>(t)};
+          })) {
+        split(0, placed_.size());
     }
-    Array<Index> take() { return std::move(triangles_); }
+    Array<Index> triangles() const {
+        return parallel_map<Index>(placed_.size(), [&](std::size_t i) { return placed_[i].triangle; });
+    }
 
    private:
+    struct Placed {
+        vec3 middle;
+        Index triangle;
+    };
+
     void split(std::size_t begin, std::size_t end) {
         const std::size_t clusters = (end - begin + triangles_of_cluster - 1) / triangles_of_cluster;
         if (clusters < 2) return;
-        vec3 low = middles_[triangles_[begin]], high = low;
+        vec3 low = placed_[begin].middle, high = low;
         for (std::size_t i = begin; i < end; ++i) {
-            low = glm::min(low, middles_[triangles_[i]]);
-            high = glm::max(high, middles_[triangles_[i]]);
+            low = glm::min(low, placed_[i].middle);
+            high = glm::max(high, placed_[i].middle);
         }
         const vec3 size = high - low;
         const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
         const std::size_t middle = begin + (clusters + 1) / 2 * triangles_of_cluster;
         // Ties are broken by index, so that the order is unique.
-        std::nth_element(triangles_.begin() + begin, triangles_.begin() + middle, triangles_.begin() + end,
-                         [&](Index a, Index b) {
-                             const float x = middles_[a][axis], y = middles_[b][axis];
-                             return x != y ? x < y : a < b;
+        std::nth_element(placed_.begin() + begin, placed_.begin() + middle, placed_.begin() + end,
+                         [axis](const Placed& a, const Placed& b) {
+                             const float x = a.middle[axis], y = b.middle[axis];
+                             return x != y ? x < y : a.triangle < b.triangle;
                          });
         if (clusters > 16)
             parallel_invoke([&] { split(begin, middle); }, [&] { split(middle, end); });
@@ -52,8 +59,7 @@ class Order {
             split(begin, middle), split(middle, end);
     }
 
-    Array<vec3> middles_;
-    Array<Index> triangles_;
+    Array<Placed> placed_;
 };
 
 /// Numbers the vertices of one cluster in order of first appearance.
@@ -66,7 +72,7 @@ struct Numbering {
 Clusters make_clusters(const Surface& surface) {
     const Index count = static_cast<Index>(surface.triangles.size());
     Clusters clusters;
-    clusters.triangles = Order(surface).take();
+    clusters.triangles = Order(surface).triangles();
     clusters.corners.resize(count);
     const Index all = (count + triangles_of_cluster - 1) / triangles_of_cluster;
     std::vector<std::vector<Index>> vertices(all);
