@@ -218,12 +218,12 @@ TRANSFERS = {  # plot -> members of a style's Transfer
 }
 PLOT = 240  # pixels
 ANIMATION_SIZE, ANIMATION_FRAMES = (320, 180), 16
-ANIMATION = {
+ANIMATION = {  # scene with motion -> its lines in bench/coherence
     "turntable": "mesh",
     "dolly": "mesh",
     "zoom": "mesh",
     "walk": "view",
-}  # scene with motion -> lines; bench/coherence
+}
 MARKS_FRAMES = {"walk": 16}  # frames over which marks of lines of the view are handed on
 FOLLOWING_PEN = {"pen.width": 9.0, "pen.wobble": 14.0, "pen.wobble_length": 220.0}
 FOLLOWING = {  # what changes between drawings of a monkey -> settings of each frame of its picture
