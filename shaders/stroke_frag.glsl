@@ -3,12 +3,13 @@
 float ink_of(int pen_index)
 {
   vec4 style = fetch_row(pens, 4 * pen_index + 1);
-  ivec2 size = ivec2(fetch_row(pens, 4 * pen_index + 2).xy);
+  vec4 texture_of = fetch_row(pens, 4 * pen_index + 2);
+  ivec2 size = ivec2(texture_of.xy);
   if (size.x == 0) {
     return 1.0;
   }
   if (style.w > 0.5) {
-    return anchored_stroke_ink(int(style.z), size, anchored.x, arc_place.y, half_width, anchored.y, style.x);
+    return anchored_stroke_ink(int(style.z), size, texture_of.z > 0.5, anchored.x, arc_place.y, half_width, anchored.y, style.x);
   }
   return stroke_ink(int(style.z), size, arc_place.x / style.x, arc_place.y, half_width);
 }

@@ -7,6 +7,7 @@
 #include <fovea/stroke/fragment.h>
 #include <fovea/stroke/hand.h>
 #include <fovea/stroke/ink.h>
+#include <fovea/stroke/octaves.h>
 
 #include "stroke_fixture.h"
 #include "wires.h"
@@ -18,6 +19,13 @@ namespace {
 using namespace stroke_fixture;
 
 constexpr float length_px = 100.0f;  // of one repetition
+
+/// Fitted to a pen of this size, with octaves.
+PenTexture fitted(const PenTexture& texture, float width_px = 1000.0f, float repetition_px = 1000.0f) {
+    PenTexture made = fit_texture(texture, repetition_px, width_px);
+    made.octaves = octaves_of(made);
+    return made;
+}
 
 /// Blurred noise, as grain is: rows of their own mean.
 PenTexture grain() {
@@ -33,7 +41,17 @@ PenTexture grain() {
             texture.ink.push_back(0.2f + 0.1f * float(y) + 0.5f * (sum - 0.5f));
         }
     }
-    return fit_texture(texture, 1000.0f, 1000.0f);
+    return fitted(texture);
+}
+
+/// Dashes of so many of 96 columns around u = 0, and softened by a texel.
+PenTexture dashes(int dash) {
+    PenTexture texture{96, 1, Array<float>(96)};
+    for (int x = 0; x < 96; ++x) {
+        const float out = std::abs(std::min(float(x) + 0.5f, 95.5f - float(x))) - 0.5f * float(dash);
+        texture.ink[std::size_t(x)] = std::clamp(0.5f - out, 0.0f, 1.0f);
+    }
+    return fitted(texture);
 }
 
 /// Repetitions of the finer octave, and its share.
@@ -139,6 +157,85 @@ TEST(Anchor, DarknessAndContrastStayAllThroughAnOctave) {
     }
 }
 
+/// Ink along two repetitions of the coarser octave, at every weight of the finer one from 0 to 1 in steps of 1 / 64.
+std::vector<std::vector<float>> zoomed(const PenTexture& texture, int count) {
+    formulas::Stroke stroke{&texture};
+    std::vector<std::vector<float>> ink(65);
+    for (int k = 0; k <= 64; ++k)
+        for (int i = 0; i < count; ++i)
+            ink[std::size_t(k)].push_back(stroke.dividing_dash_ink(
+                0, stroke.size(), 4.0f * (float(i) + 0.5f) / float(count), 0.0f, 2.0f, float(k) / 64.0f));
+    return ink;
+}
+
+TEST(Anchor, DashesAreNeverGrayWhileTheyDivideAndCoverAsMuch) {
+    for (const int dash : {24, 48, 60, 72}) {
+        const PenTexture texture = dashes(dash);
+        const auto zoom = zoomed(texture, 4 * 96 * 4);
+        for (std::size_t k = 0; k < zoom.size(); ++k) {
+            const auto gray = std::ranges::count_if(zoom[k], [](float ink) { return ink > 0.02f && ink < 0.98f; });
+            // Eight ends of dashes a texel wide, or as many again where gaps close beside others that open.
+            EXPECT_LT(double(gray) / double(zoom[k].size()), 0.08) << dash << " " << k;
+            EXPECT_NEAR(mean_of(zoom[k]), dash / 96.0, 0.02) << dash << " " << k;
+        }
+    }
+}
+
+TEST(Anchor, ADashBecomesTwoThatAreHalfAsLongInTheImageAtRest) {
+    const auto zoom = zoomed(dashes(60), 1536);
+    const auto dashes_of = [](const std::vector<float>& ink) {
+        int count = 0;
+        for (std::size_t i = 0; i < ink.size(); ++i) count += ink[i] < 0.5f && ink[(i + 1) % ink.size()] >= 0.5f;
+        return count;
+    };
+    EXPECT_EQ(dashes_of(zoom.front()), 2);
+    EXPECT_EQ(dashes_of(zoom.back()), 4);
+    int changes = 0;
+    for (std::size_t k = 1; k < zoom.size(); ++k) changes += dashes_of(zoom[k]) != dashes_of(zoom[k - 1]);
+    EXPECT_EQ(changes, 1) << "all at one moment";
+}
+
+TEST(Anchor, GapsStayGapsThroughAZoomOfManyOctaves) {
+    const PenTexture texture = dashes(60);
+    const auto gaps_of = [&](float path_px) {
+        const auto ink = along(texture, path_px, -0.5, 0.5, 6400);
+        std::vector<double> gaps;  // their middles, as places on the path
+        for (std::size_t i = 0; i < ink.size(); ++i) {
+            std::size_t end = i;
+            while (end < ink.size() && ink[end] < 0.5f) ++end;
+            if (end > i && i > 0 && end < ink.size()) gaps.push_back(0.5 * double(i + end) / 6400.0);
+            i = end;
+        }
+        return gaps;
+    };
+    std::vector<double> before;
+    for (float path_px = 210.0f; path_px < 1650.0f; path_px *= 1.013f) {
+        const std::vector<double> now = gaps_of(path_px);
+        for (const double gap : before)
+            EXPECT_NEAR(std::ranges::min(now, {}, [&](double g) { return std::abs(g - gap); }), gap, 3e-4) << path_px;
+        EXPECT_GE(now.size(), before.size());
+        before = now;
+    }
+    EXPECT_GE(before.size(), 15u);
+}
+
+TEST(Anchor, ShortPathsOfDashesStayVisible) {
+    const PenTexture texture = dashes(60);
+    for (float path_px = 1.0f; path_px < 0.3f * length_px; path_px *= 1.1f)
+        EXPECT_GT(along(texture, path_px, 0.0, 1e-3, 1).front(), 0.9f) << path_px;
+}
+
+TEST(Anchor, OctavesOfAnEvenTextureAreEven) {
+    const PenTexture even = fitted(PenTexture{16, 2, Array<float>(32, 0.4f)}), one = fitted(PenTexture{1, 1, {0.7f}}),
+                     none = fitted(PenTexture{8, 2, Array<float>(16, 0.0f)});
+    EXPECT_TRUE(none.dashed);
+    for (const float path : {130.0f, 170.0f, 200.0f}) {
+        for (const float ink : along(even, path, -0.5, 0.5, 50)) EXPECT_EQ(ink, 0.4f);
+        for (const float ink : along(one, path, -0.5, 0.5, 50)) EXPECT_EQ(ink, 0.7f);
+        for (const float ink : along(none, path, -0.5, 0.5, 50)) EXPECT_EQ(ink, 0.0f);
+    }
+}
+
 TEST(Anchor, LengthAndPlacesOfAPathAreTheSameHoweverItIsClipped) {
     std::vector<dvec3> line;
     for (int i = 0; i <= 300; ++i) line.push_back({-9.0 + 0.06 * i, 4.5 * std::sin(0.11 * i) + 0.8, -5.0 - 0.004 * i});
@@ -170,12 +267,12 @@ TEST(Anchor, StrokesHaveTheLengthOfTheirWholePath) {
     for (const vec2 anchor : strokes.anchor) EXPECT_EQ(anchor.y, 160.0f);
     const auto some = picture(strokes, p, 180, 40, {&texture, 1});
     const auto all = picture(strokes_of(clipped, whole_runs(clipped), p), p, 180, 40, {&texture, 1});
-    const PenTexture fitted = fit_texture(texture, 33.0f, 6.0f);
+    const PenTexture own = fitted(texture, 6.0f, 33.0f);
     for (int x = 32; x < 98; ++x)
         for (int y = 18; y < 22; ++y) {
             EXPECT_NEAR(some[y * 180 + x].a, all[y * 180 + x].a, 1e-5f);
             const float u = float(x) + 0.5f - 90.0f, v = float(y) + 0.5f - 20.0f;
-            EXPECT_NEAR(some[y * 180 + x].a, anchored_ink(fitted, u / 160.0f, v, 3.0f, 160.0f, 33.0f), 1e-4f);
+            EXPECT_NEAR(some[y * 180 + x].a, anchored_ink(own, u / 160.0f, v, 3.0f, 160.0f, 33.0f), 1e-4f);
         }
 }
 
@@ -271,18 +368,28 @@ TEST(Anchor, WobbleOfAPenFixedToItsPathGrowsWithTheLineInSteps) {
     for (double along = -0.4; along < 0.4; along += 0.05) EXPECT_NEAR(at(before, along), at(after, along), 0.4);
 }
 
-TEST(Anchor, PenTableHasTheRowsMeansAfterTheInk) {
-    const PenTexture texture{2, 2, {0.0f, 1.0f, 0.25f, 0.25f}};
-    Pen anchored = pen(6.0f), plain = pen(6.0f);
-    anchored.texture = plain.texture = 0;
-    anchored.look.texture_anchor = Anchor::path;
-    const std::vector<Pen> pens{anchored, plain};
-    const PenTable table = pen_table(pens, {&texture, 1});
+TEST(Anchor, PenTableHasWhatOctavesAreMadeOfAfterTheInk) {
+    const std::vector<PenTexture> textures{{2, 2, {0.25f, 0.25f, 0.0f, 1.0f}}, {2, 2, {0.0f, 1.0f, 0.25f, 0.75f}}};
+    Pen dashed = pen(6.0f), plain = pen(6.0f), rough = pen(6.0f);
+    dashed.texture = plain.texture = 0;
+    rough.texture = 1;
+    dashed.look.texture_anchor = rough.look.texture_anchor = Anchor::path;
+    const std::vector<Pen> pens{dashed, plain, rough};
+    const PenTable table = pen_table(pens, textures);
+    const auto values = [&](std::size_t first, std::size_t count) {
+        return std::vector<float>(table.ink.begin() + std::ptrdiff_t(first),
+                                  table.ink.begin() + std::ptrdiff_t(first + count));
+    };
     EXPECT_EQ(table.pens[1].w, 1.0f);
     EXPECT_EQ(table.pens[5].w, 0.0f);
-    EXPECT_EQ(table.pens[5].z, 6.0f);
-    EXPECT_EQ(std::vector<float>(table.ink.begin(), table.ink.begin() + 6),
-              (std::vector<float>{0.0f, 1.0f, 0.25f, 0.25f, 0.5f, 0.25f}));
+    EXPECT_EQ(table.pens[2].z, 1.0f);
+    EXPECT_EQ(table.pens[10].z, 0.0f);
+    const std::size_t of_dashes = 4 + 4 + 2 * 17;
+    EXPECT_EQ(table.pens[5].z, float(4 + of_dashes));
+    EXPECT_EQ(table.ink.size(), 4 + of_dashes + 4 + 4 + 2);
+    EXPECT_EQ(values(4, 8), (std::vector<float>{0.5f, 0.5f, 0.75f, 0.25f, 0.25f, 0.25f, 1.0f, 0.0f}))
+        << "less of it is ink than none";
+    EXPECT_EQ(values(table.ink.size() - 2, 2), (std::vector<float>{0.5f, 0.5f}));
 }
 
 }  // namespace

@@ -14,7 +14,7 @@ struct Stroke {
     const PenTexture* texture = nullptr;
 
     float ink_texel(int index) const { return texture->ink[std::size_t(index)]; }
-    float ink_row(int, ivec2, int row) const { return texture->row_mean[std::size_t(row)]; }
+    float octave_value(int, ivec2, int index) const { return texture->octaves[std::size_t(index)]; }
     ivec2 size() const { return {texture->width, texture->height}; }
 
 #include <shared/stroke.glsl>
@@ -32,11 +32,12 @@ inline float ink(const PenTexture& texture, float along, float v, float half_wid
     return stroke.stroke_ink(0, stroke.size(), along, v, half_width);
 }
 
-/// `along`: place on the path, of which all has path_px pixels.
+/// `along`: place on the path, of which all has path_px pixels; of a texture with octaves.
 inline float anchored_ink(const PenTexture& texture, float along, float v, float half_width, float path_px,
                           float texture_length_px) {
     formulas::Stroke stroke{&texture};
-    return stroke.anchored_stroke_ink(0, stroke.size(), along, v, half_width, path_px, texture_length_px);
+    return stroke.anchored_stroke_ink(0, stroke.size(), texture.dashed, along, v, half_width, path_px,
+                                      texture_length_px);
 }
 
 /// What is left of ink where nothing is of `faint` ink and less (Strokes::mix).

@@ -6,10 +6,15 @@
 #include <string>
 
 #include <fovea/base/check.h>
+#include <fovea/stroke/octaves.h>
 
 namespace fovea::stroke {
 
 namespace {
+
+constexpr float no_ink = 0.1f, full_ink = 0.9f;
+constexpr double most_between = 0.15;  // of the columns of dashes that have neither none nor full ink
+constexpr double least_gap = 0.05;     // of the columns
 
 /// Box filter from `from` to `to` <= from values: each is the mean over its interval of the line. Value i of line j
 /// lies at in[i * step_in + j * line_in].
@@ -40,6 +45,15 @@ std::array<float, 17> ink_levels(const PenTexture& texture) {
     return levels;
 }
 
+bool is_dashed(const PenTexture& texture) {
+    const In<float> middle = texture.row(texture.height / 2);
+    const auto share = [&](const auto& holds) {
+        return double(std::ranges::count_if(middle, holds)) / double(middle.size());
+    };
+    return share([](float v) { return v >= no_ink && v <= full_ink; }) < most_between &&
+           share([](float v) { return v < no_ink; }) > least_gap;
+}
+
 PenTexture fit_texture(const PenTexture& texture, float length_px, float width_px) {
     check(texture.width > 0 && texture.height > 0 &&
               texture.ink.size() == std::size_t(texture.width) * std::size_t(texture.height),
@@ -52,8 +66,7 @@ PenTexture fit_texture(const PenTexture& texture, float length_px, float width_p
     result.ink.resize(std::size_t(result.width) * result.height);
     shrink(narrow.ink.data(), narrow.height, result.ink.data(), result.height, narrow.width, narrow.width, 1,
            result.width, 1);
-    result.row_mean.resize(std::size_t(result.height));
-    shrink(result.ink.data(), result.width, result.row_mean.data(), 1, result.height, 1, result.width, 1, 1);
+    result.dashed = is_dashed(texture);
     return result;
 }
 
@@ -64,8 +77,10 @@ std::vector<PenTexture> fit_textures(In<Pen> pens, In<PenTexture> textures) {
               "pen: there is no texture " + std::to_string(pen.texture));
         check(pen.away == none || pen.away < pens.size(),
               "pen: there is no pen " + std::to_string(pen.away) + " out of focus");
-        fitted.push_back(pen.texture == none ? PenTexture{}
-                                             : fit_texture(textures[pen.texture], pen.texture_length_px, pen.width_px));
+        PenTexture& made = fitted.emplace_back();
+        if (pen.texture == none) continue;
+        made = fit_texture(textures[pen.texture], pen.texture_length_px, pen.width_px);
+        if (is_anchored(pen)) made.octaves = octaves_of(made);
     }
     return fitted;
 }
@@ -79,10 +94,10 @@ PenTable pen_table(In<Pen> pens, In<PenTexture> textures) {
         table.pens.push_back(vec4(vec3(pen.look.color), float(pen.away == none ? i : pen.away)));
         table.pens.push_back(vec4(pen.texture_length_px, pen.look.cap == Cap::round ? 1.0f : 0.0f,
                                   float(table.ink.size()), is_anchored(pen) ? 1.0f : 0.0f));
-        table.pens.push_back(vec4(fitted.width, fitted.height, 0.0f, 0.0f));
+        table.pens.push_back(vec4(fitted.width, fitted.height, fitted.dashed ? 1.0f : 0.0f, 0.0f));
         table.pens.push_back(vec4(vec3(pen.look.second_color), 0.0f));
         table.ink.insert(table.ink.end(), fitted.ink.begin(), fitted.ink.end());
-        table.ink.insert(table.ink.end(), fitted.row_mean.begin(), fitted.row_mean.end());
+        table.ink.insert(table.ink.end(), fitted.octaves.begin(), fitted.octaves.end());
     }
     return table;
 }

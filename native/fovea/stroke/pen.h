@@ -15,8 +15,13 @@ using style::Anchor, style::Cap;
 struct PenTexture {
     int width = 0, height = 0;
     Array<float> ink;
-    /// Per row: mean of its ink; only of textures fitted to a pen (ink.h).
-    Array<float> row_mean{};
+    bool dashed = false;  ///< whether it was of dashes (ink.h) before it was fitted to a pen
+    /// What two of its octaves are made one by (octaves.h); only if fitted to a pen that fixes marks to paths.
+    Array<float> octaves{};
+
+    In<float> row(int number) const {
+        return {ink.data() + std::size_t(number) * std::size_t(width), std::size_t(width)};
+    }
 };
 
 /// A style's pen, resolved for one picture.

@@ -25,13 +25,12 @@ inline constexpr Choice choices_of<WidthUnit>[] = {
 };
 
 /// What a pen's texture is fixed to when a stroke's size in the image changes. screen: one repetition keeps its length
-/// in the image. path: the texture keeps its places on the path and repeats by octaves (powers of two); dashes turn
-/// gray while octaves blend.
+/// in the image. path: the texture keeps its places on the path and repeats by octaves (powers of two).
 enum class Anchor : std::uint8_t { screen, path };
 template <>
 inline constexpr Choice choices_of<Anchor>[] = {
     {"screen", "Screen", "One repetition is always as long in the image, and slides along lines that grow"},
-    {"path", "Path", "It stays where it is along lines, and divides as they grow: for grain, not for dashes"},
+    {"path", "Path", "It stays where it is along lines, and divides as they grow"},
 };
 
 struct Pen {

@@ -3,29 +3,15 @@
 
 #include <algorithm>
 
+#include <fovea/stroke/ink.h>
+
 namespace fovea::vector {
 namespace {
-
-constexpr float no_ink = 0.1f, full_ink = 0.9f;
-constexpr double most_between = 0.15;  // of the columns of dashes that have neither none nor full ink
-constexpr double least_gap = 0.05;     // of the columns
-
-In<float> row(const PenTexture& texture, int y) {
-    return {texture.ink.data() + std::size_t(y) * texture.width, std::size_t(texture.width)};
-}
 
 double mean(In<float> ink) {
     double sum = 0.0;
     for (const float value : ink) sum += value;
     return sum / double(ink.size());
-}
-
-bool is_dashed(In<float> ink) {
-    const auto share = [&](const auto& holds) {
-        return double(std::ranges::count_if(ink, holds)) / double(ink.size());
-    };
-    return share([](float v) { return v >= no_ink && v <= full_ink; }) < most_between &&
-           share([](float v) { return v < no_ink; }) > least_gap;
 }
 
 /// Lengths of ink and of gaps in turn, from the first start of ink on.
@@ -48,16 +34,16 @@ void find_dashes(In<float> ink, Grain& grain) {
 Grain grain_of(const PenTexture* texture) {
     Grain grain;
     if (!texture || texture->ink.empty()) return grain;
-    const In<float> middle = row(*texture, texture->height / 2);
-    if (is_dashed(middle)) {
+    const In<float> middle = texture->row(texture->height / 2);
+    if (stroke::is_dashed(*texture)) {
         find_dashes(middle, grain);
         // Of a half disc the outermost rows have next to none.
-        grain.round = mean(row(*texture, 0)) < 0.9 * mean(middle);
+        grain.round = mean(texture->row(0)) < 0.9 * mean(middle);
         return grain;
     }
     double sum = 0.0, most = 0.0;
     for (int y = 0; y < texture->height; ++y) {
-        const double ink = mean(row(*texture, y));
+        const double ink = mean(texture->row(y));
         sum += ink;
         most = std::max(most, ink);
     }
