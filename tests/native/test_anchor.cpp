@@ -387,8 +387,7 @@ TEST(Anchor, PenTableHasWhatOctavesAreMadeOfAfterTheInk) {
     const std::size_t of_dashes = 4 + 4 + 2 * 17;
     EXPECT_EQ(table.pens[5].z, float(4 + of_dashes));
     EXPECT_EQ(table.ink.size(), 4 + of_dashes + 4 + 4 + 2);
-    EXPECT_EQ(values(4, 8), (std::vector<float>{0.5f, 0.5f, 0.75f, 0.25f, 0.25f, 0.25f, 1.0f, 0.0f}))
-        << "less of it is ink than none";
+    EXPECT_EQ(values(4, 8), (std::vector<float>{0.5f, 0.5f, 0.25f, 0.75f, 0.25f, 0.25f, 0.0f, 1.0f}));
     EXPECT_EQ(values(table.ink.size() - 2, 2), (std::vector<float>{0.5f, 0.5f}));
 }
 

@@ -92,6 +92,39 @@ TEST(Vectors, OfACubeAreItsEdgesInLayersForWhatIsVisibleAndHidden) {
     EXPECT_LE(cube.figures.numbers, cube.figures.polyline_numbers);
 }
 
+TEST(Vectors, DashesFixedToPathsAreThoseOfThePicture) {
+    for (const char* texture : {"dashes", "dots", "dash_dot"}) {
+        style::Style style = tool::style_of({"contour", "crease"});
+        style.line_sets[0].pen.texture = texture;
+        style.line_sets[0].pen.texture_anchor = style::Anchor::path;
+        style.line_sets[0].pen.width = 12.0;
+        Frame frame = cube(style);
+        frame.ink();
+        const auto ink_at = [&](const dvec2& mm) {
+            const glm::ivec2 px(mm * (side / 210.0));
+            return double(frame.passes.lines[std::size_t(px.y) * side + std::size_t(px.x)].a);
+        };
+        const std::vector<vector::Path> dashes = paths_of(drawn(style));
+        ASSERT_GT(dashes.size(), 30u) << texture;
+        std::size_t black = 0, gaps = 0, white = 0;
+        for (std::size_t i = 0; i < dashes.size(); ++i) {
+            const vector::Points& points = dashes[i].curves.at(0).points;
+            black += ink_at(0.5 * (points.front() + points.back())) > 0.9;
+            EXPECT_TRUE(dashes[i].look.dashes.empty());
+            if (i == 0 || dashes[i].id.substr(0, 17) != dashes[i - 1].id.substr(0, 17)) continue;
+            const dvec2 end = dashes[i - 1].curves.at(0).points.back(), start = points.front();
+            // Caps reach by half a width into gaps, and pixels of the picture are 0.39 mm wide.
+            if (glm::distance(end, start) < dashes[i].look.width + 0.8) continue;
+            white += ink_at(0.5 * (end + start)) < 0.1;
+            ++gaps;
+        }
+        // All but what is hardly wider than a pixel, as where a dash has just divided.
+        EXPECT_GT(double(black), 0.97 * double(dashes.size())) << texture;
+        EXPECT_GT(double(white), 0.97 * double(gaps)) << texture;
+        EXPECT_GT(gaps, 15u) << texture;
+    }
+}
+
 TEST(Vectors, HaveUniqueNamesAndEqualBytesTwice) {
     const std::string svg = vector::svg_bytes(drawn(with_hidden()).document);
     EXPECT_EQ(svg, vector::svg_bytes(drawn(with_hidden()).document));

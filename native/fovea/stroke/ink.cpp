@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <string>
 
 #include <fovea/base/check.h>
@@ -44,6 +45,8 @@ std::array<float, 17> ink_levels(const PenTexture& texture) {
     for (std::size_t k = 0; k < levels.size(); ++k) levels[k] = ink[(ink.size() - 1) * k / (levels.size() - 1)];
     return levels;
 }
+
+double mean_ink(In<float> ink) { return std::accumulate(ink.begin(), ink.end(), 0.0) / double(ink.size()); }
 
 bool is_dashed(const PenTexture& texture) {
     const In<float> middle = texture.row(texture.height / 2);

@@ -9,6 +9,8 @@ namespace fovea::stroke {
 /// Pen::ink_levels of a texture; of an empty one 0.
 std::array<float, 17> ink_levels(const PenTexture& texture);
 
+double mean_ink(In<float> ink);
+
 /// Whether the middle of a texture has gaps, and hardly anything between ink and none; not of an empty one.
 bool is_dashed(const PenTexture& texture);
 

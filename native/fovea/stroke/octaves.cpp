@@ -9,13 +9,13 @@
 #include <vector>
 
 #include <fovea/stroke/fragment.h>
+#include <fovea/stroke/ink.h>
 
 namespace fovea::stroke {
 
 namespace {
 
-constexpr int most_samples = 160, halvings = 14;
-constexpr float most_shift = 0.5f;
+constexpr int most_samples = 96;  // of two repetitions, by which a row's shift is found
 
 /// Of each value of a circle the distance to the nearest one that comes before it in this order; their number if none
 /// does.
@@ -52,49 +52,43 @@ void rank(const std::vector<int>& level, float* ranks) {
     }
 }
 
-/// The shift with which the ink of these ranks has this mean; `ascending`: it grows with ranks.
-float shift_to(float mean, bool ascending, formulas::Stroke stroke, In<float> ranks, int row) {
-    float below = -most_shift, above = most_shift;
-    for (int k = 0; k < halvings; ++k) {
-        const float middle = 0.5f * (below + above);
-        double sum = 0.0;
-        for (const float rank : ranks) sum += stroke.ranked_ink(0, stroke.size(), rank + middle, row);
-        ((sum < double(mean) * double(ranks.size())) == ascending ? below : above) = middle;
-    }
-    return 0.5f * (below + above);
+/// The value that a share of them is below.
+float quantile(std::vector<float>& values, double share) {
+    std::ranges::sort(values);
+    const double at = std::clamp(share * double(values.size()) - 0.5, 0.0, double(values.size() - 1));
+    const std::size_t below = std::min(std::size_t(at), values.size() - 1),
+                      above = std::min(below + 1, values.size() - 1);
+    return glm::mix(values[below], values[above], float(at - double(below)));
 }
-
-double mean_of(In<float> ink) { return std::accumulate(ink.begin(), ink.end(), 0.0) / double(ink.size()); }
 
 Array<float> octaves_of_dashes(const PenTexture& fitted) {
     const std::size_t width = std::size_t(fitted.width), height = std::size_t(fitted.height);
     const int steps = formulas::Stroke{}.octave_steps();
-    const bool ascending = mean_of(fitted.ink) >= 0.5;
     PenTexture made{fitted.width, fitted.height, {}};
     made.octaves.resize(2 * width * height + height * std::size_t(steps + 1));
     float *const ranks = made.octaves.data(), *const sorted = ranks + width * height,
                  *const shifts = sorted + width * height;
     for (int row = 0; row < fitted.height; ++row) {
         std::vector<int> level;
-        for (const float ink : fitted.row(row))
-            level.push_back(int(std::lround(ascending ? 255.0f * ink : -255.0f * ink)));
+        for (const float ink : fitted.row(row)) level.push_back(int(std::lround(255.0f * ink)));
         rank(level, ranks + std::size_t(row) * width);
         float* const first = sorted + std::size_t(row) * width;
         std::ranges::copy(fitted.row(row), first);
-        std::sort(first, first + width, [&](float a, float b) { return ascending ? a < b : a > b; });
+        std::sort(first, first + width);
     }
     formulas::Stroke stroke{&made};
     // Places between texels, too, in two repetitions of the finer octave, which are one of the coarser.
     const int places = 4 * fitted.width, stride = (places / most_samples) | 1;
     std::vector<float> found;
     for (int row = 0; row < fitted.height; ++row) {
+        const double gaps = 1.0 - mean_ink(fitted.row(row));
         float* const of_row = shifts + row * (steps + 1);
         for (int k = 0; k <= steps; ++k) {
             found.clear();
             for (int place = 0; place < places; place += stride)
                 found.push_back(stroke.octave_rank(0, stroke.size(), 2.0f * (float(place) + 0.5f) / float(places),
                                                    float(k) / float(steps), row));
-            of_row[k] = shift_to(float(mean_of(fitted.row(row))), ascending, stroke, found, row);
+            of_row[k] = float(gaps) - quantile(found, gaps);
         }
         // The coarser octave alone is the finer one of the octave before.
         of_row[0] = of_row[steps] = 0.5f * (of_row[0] + of_row[steps]);
@@ -107,7 +101,7 @@ Array<float> octaves_of_dashes(const PenTexture& fitted) {
 Array<float> octaves_of(const PenTexture& fitted) {
     if (fitted.dashed) return octaves_of_dashes(fitted);
     Array<float> means;
-    for (int row = 0; row < fitted.height; ++row) means.push_back(float(mean_of(fitted.row(row))));
+    for (int row = 0; row < fitted.height; ++row) means.push_back(float(mean_ink(fitted.row(row))));
     return means;
 }
 

@@ -9,10 +9,9 @@ namespace fovea::stroke {
 
 /// PenTexture::octaves of a texture of W columns and H rows that is fitted to its pen (ink.h), as
 /// shaders/shared/stroke.glsl reads them, row after row. Of grain: the mean of each row. Of dashes: H x W ranks of the
-/// texels in their rows, as shares in (0, 1), of equals the mean; H x W ink of each row in the order of ranks; H x 17
-/// shifts of ranks with which a row's mean stays, for equally spaced shares of the finer octave. The rarer ink ranks
-/// first: the least where more than half is ink, as gaps of dashes, else the most, as dots. Of even ink what is
-/// furthest from the rest of it comes first, or last.
+/// texels in their rows, as shares in (0, 1), of equals the mean, from the middles of gaps to those of dashes; H x W
+/// ink of each row in the order of ranks; H x 17 shifts of ranks with which about as much of a row stays ink, for
+/// equally spaced shares of the finer octave.
 Array<float> octaves_of(const PenTexture& fitted);
 
 }  // namespace fovea::stroke

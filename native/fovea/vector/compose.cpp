@@ -72,10 +72,15 @@ Index line_set_of(const Frame& frame, Index run) {
     return frame.paths->line_set[frame.clipped->path[frame.drawn->piece[run]]];
 }
 
-std::vector<Mark> dashes_apart(const std::vector<Mark>& marks, const Tracing& tracing) {
+/// Each dash as a mark: `all`, or those alone that are fixed to paths, as they are not all alike.
+std::vector<Mark> dashes_apart(std::vector<Mark>& marks, const Tracing& tracing, bool all) {
     std::vector<Mark> dashes;
-    for (const Mark& mark : marks) {
+    for (Mark& mark : marks) {
         Cancelling::poll();
+        if (!all && mark.anchors.empty()) {
+            dashes.push_back(std::move(mark));
+            continue;
+        }
         for (Mark& dash : tracing.dashes_of(mark)) dashes.push_back(std::move(dash));
     }
     return dashes;
@@ -163,7 +168,7 @@ Drawing compose(Frame& frame, const Options& asked) {
     const Tracing tracing(frame, options, page, found.grains);
     std::set<Index> strokes;
     for (const Mark& mark : found.marks) strokes.insert(mark.run);
-    if (options.plotter || options.dashes_apart) found.marks = dashes_apart(found.marks, tracing);
+    found.marks = dashes_apart(found.marks, tracing, options.plotter || options.dashes_apart);
     document.layers = options.plotter ? plotted_layers(frame, found.marks, tracing, page.unit_mm)
                                       : drawn_layers(frame, found.marks, tracing);
     if (!options.plotter) document.layers.insert(document.layers.begin(), section_layer(frame, page));

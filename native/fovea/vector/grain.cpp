@@ -4,15 +4,10 @@
 #include <algorithm>
 
 #include <fovea/stroke/ink.h>
+#include <fovea/stroke/octaves.h>
 
 namespace fovea::vector {
 namespace {
-
-double mean(In<float> ink) {
-    double sum = 0.0;
-    for (const float value : ink) sum += value;
-    return sum / double(ink.size());
-}
 
 /// Lengths of ink and of gaps in turn, from the first start of ink on.
 void find_dashes(In<float> ink, Grain& grain) {
@@ -31,19 +26,24 @@ void find_dashes(In<float> ink, Grain& grain) {
 
 }  // namespace
 
-Grain grain_of(const PenTexture* texture) {
+Grain grain_of(const PenTexture* texture, bool anchored) {
     Grain grain;
     if (!texture || texture->ink.empty()) return grain;
     const In<float> middle = texture->row(texture->height / 2);
     if (stroke::is_dashed(*texture)) {
         find_dashes(middle, grain);
         // Of a half disc the outermost rows have next to none.
-        grain.round = mean(texture->row(0)) < 0.9 * mean(middle);
+        grain.round = stroke::mean_ink(texture->row(0)) < 0.9 * stroke::mean_ink(middle);
+        if (anchored) {
+            grain.dividing = *texture;
+            grain.dividing.dashed = true;
+            grain.dividing.octaves = stroke::octaves_of(grain.dividing);
+        }
         return grain;
     }
     double sum = 0.0, most = 0.0;
     for (int y = 0; y < texture->height; ++y) {
-        const double ink = mean(texture->row(y));
+        const double ink = stroke::mean_ink(texture->row(y));
         sum += ink;
         most = std::max(most, ink);
     }

@@ -11,11 +11,12 @@ struct Grain {
     double opacity = 1.0;  ///< mean of the ink there
     /// Lengths of dashes and gaps in turn, in repetitions of the texture; empty: none.
     std::vector<double> dashes;
-    double first = 0.0;  ///< where the first of them begins, in repetitions
-    bool round = false;  ///< dashes end in half discs as wide as the pen, which count in their length
+    double first = 0.0;     ///< where the first of them begins, in repetitions
+    bool round = false;     ///< dashes end in half discs as wide as the pen, which count in their length
+    PenTexture dividing{};  ///< the texture with octaves, of dashes that a pen fixes to paths; else empty
 };
 
-/// Of a texture; null: solid.
-Grain grain_of(const PenTexture* texture);
+/// Of a texture; null: solid. `anchored`: a pen fixes it to paths.
+Grain grain_of(const PenTexture* texture, bool anchored = false);
 
 }  // namespace fovea::vector

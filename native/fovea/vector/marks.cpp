@@ -18,12 +18,13 @@ constexpr double most_change = 0.125;          // of opacity and color, each in 
 struct Inked {
     dvec2 at;
     double arc, width;
-    dvec4 ink;  // color as displayed, and opacity
+    dvec4 ink;     // color as displayed, and opacity
+    dvec2 anchor;  // CenterPoint's along, whole_px
 };
 
 Inked between(const Inked& a, const Inked& b, double t) {
     return {glm::mix(a.at, b.at, t), glm::mix(a.arc, b.arc, t), glm::mix(a.width, b.width, t),
-            glm::mix(a.ink, b.ink, t)};
+            glm::mix(a.ink, b.ink, t), glm::mix(a.anchor, b.anchor, t)};
 }
 
 dvec4 ink_of(const CenterPoint& p, const Pen& pen, const Pen& away, double density, const dvec3& paper) {
@@ -78,8 +79,14 @@ std::vector<Inked> stepped(const std::vector<Inked>& points, const Sides& sides)
 class Splitter {
    public:
     Splitter(const std::vector<Inked>& points, const Sides& sides, Index run, bool closed, Cutting cutting,
-             std::vector<Mark>& out)
-        : points_(points), sides_(sides), run_(run), closed_(closed), whole_(cutting != Cutting::by_ink), out_(out) {}
+             bool anchored, std::vector<Mark>& out)
+        : points_(points),
+          sides_(sides),
+          run_(run),
+          closed_(closed),
+          whole_(cutting != Cutting::by_ink),
+          anchored_(anchored),
+          out_(out) {}
 
     void split() {
         const std::size_t last = points_.size() - 1;
@@ -118,6 +125,7 @@ class Splitter {
         for (std::size_t i = from; i <= to; ++i) {
             mark.points.push_back(points_[i].at);
             mark.widths.push_back(points_[i].width);
+            if (anchored_) mark.anchors.push_back(points_[i].anchor);
             if (i == to) break;
             const double step = glm::distance(points_[i].at, points_[i + 1].at);
             sum += 0.5 * step * (points_[i].ink + points_[i + 1].ink);
@@ -132,7 +140,7 @@ class Splitter {
     const std::vector<Inked>& points_;
     const Sides& sides_;
     Index run_;
-    bool closed_, whole_;
+    bool closed_, whole_, anchored_;
     std::vector<Mark>& out_;
 };
 
@@ -160,7 +168,8 @@ Marks marks_of(const Frame& frame, const Page& page, double tolerance, Cutting c
     const double of_mm = 1.0 / (frame.job.style.paper.px_per_mm(view.reference_scale) * page.unit_mm);
     Marks found;
     for (const Pen& pen : frame.pens.pens)
-        found.grains.push_back(grain_of(pen.texture == none ? nullptr : &frame.pens.textures[pen.texture]));
+        found.grains.push_back(
+            grain_of(pen.texture == none ? nullptr : &frame.pens.textures[pen.texture], is_anchored(pen)));
     const auto parts = parallel_parts<Marks>(inking.runs.size(), 128, [&](Marks& out, std::size_t r, std::size_t end) {
         DrawnLine line;
         for (; r < end; ++r) {
@@ -172,14 +181,17 @@ Marks marks_of(const Frame& frame, const Page& page, double tolerance, Cutting c
             const double of_width = 2.0 * grain.width * (in_mm ? of_mm : page.scale);
             std::vector<Inked> points;
             for (const CenterPoint& p : line.points) {
-                points.push_back(
-                    {page.place(p.px), page.scale * p.arc, of_width * p.half_width * p.thinness,
-                     ink_of(p, pen, pen.away == none ? pen : inking.pens[pen.away], grain.opacity, paper)});
+                points.push_back({page.place(p.px),
+                                  page.scale * p.arc,
+                                  of_width * p.half_width * p.thinness,
+                                  ink_of(p, pen, pen.away == none ? pen : inking.pens[pen.away], grain.opacity, paper),
+                                  {p.along, p.whole_px}});
                 double& opacity = points.back().ink.w;
                 if (cutting == Cutting::elision) opacity = opacity > least_opacity && p.shown >= half_shown ? 1.0 : 0.0;
             }
             const std::size_t before = out.marks.size();
-            Splitter(stepped(points, sides), sides, Index(r), line.closed, cutting, out.marks).split();
+            const bool anchored = !grain.dividing.ink.empty();
+            Splitter(stepped(points, sides), sides, Index(r), line.closed, cutting, anchored, out.marks).split();
             if (out.marks.size() > before) out.numbers += numbers_of(inking.clipped, inking.runs, r);
         }
     });

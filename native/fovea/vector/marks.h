@@ -14,6 +14,7 @@ struct Mark {
     Index run = none;                 ///< of the frame's drawn runs
     Points points = {};               ///< in units of the page
     std::vector<double> widths = {};  ///< per point; of pens in millimeters true on every page
+    std::vector<dvec2> anchors = {};  ///< per point, of dashes fixed to the path: CenterPoint's along, whole_px
     double arc = 0.0;                 ///< along its path to its first point, 0 at the path's middle
     dvec3 color{0.0};                 ///< as displayed
     double opacity = 1.0;

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include <fovea/line/registry.h>
+#include <fovea/stroke/fragment.h>
 #include <fovea/stroke/strip.h>
 #include <fovea/vector/fit.h>
 #include <fovea/vector/outline.h>
@@ -16,6 +17,7 @@ namespace {
 
 constexpr double outline_share = 0.5;      // of the tolerance: a stroke has two sides
 constexpr double least_pattern_mm = 0.05;  // dashes and gaps that are shorter together are one line
+constexpr double steps_per_repetition = 64.0, most_divisions = 1e6;  // by which ends of dividing dashes are found
 
 bool is_sharp(const Points& points) {
     for (std::size_t i = 1; i + 1 < points.size(); ++i) {
@@ -125,7 +127,7 @@ Look Tracing::dashed(const Mark& mark) const {
     const Grain& grain = grain_of(mark);
     Look look{.width = mean_width(mark)};
     look.round_caps = grain.round;
-    if (grain.dashes.empty() || mark.is_dash) return look;
+    if (grain.dashes.empty() || mark.is_dash || !mark.anchors.empty()) return look;
     // Half discs at both ends of dashes are as long as the pen is wide.
     const double repetition = scale_ * pen_of(mark).texture_length_px, cut = grain.round ? look.width : 0.0;
     for (std::size_t k = 0; k < grain.dashes.size(); ++k)
@@ -140,7 +142,52 @@ Look Tracing::dashed(const Mark& mark) const {
     return look;
 }
 
+/// Where dashes that are fixed to the path begin and end, in lengths along the mark.
+std::vector<dvec2> Tracing::divided(const Mark& mark) const {
+    const PenTexture& texture = grain_of(mark).dividing;
+    const float repetition_px = pen_of(mark).texture_length_px;
+    std::vector<dvec2> dashes;
+    double along = 0.0, before = 0.0;
+    for (std::size_t i = 1; i < mark.points.size(); ++i) {
+        const dvec2 from = mark.anchors[i - 1], to = mark.anchors[i];
+        const double side = glm::distance(mark.points[i - 1], mark.points[i]);
+        const double repeats = std::abs(to.x - from.x) * std::max(from.y, to.y) / repetition_px;
+        const double steps = std::clamp(std::ceil(steps_per_repetition * repeats), 1.0, most_divisions);
+        for (double k = i == 1 ? 0.0 : 1.0; k <= steps; ++k) {
+            const dvec2 anchor = glm::mix(from, to, k / steps);
+            const double ink =
+                stroke::anchored_ink(texture, float(anchor.x), 0.0f, 1.0f, float(anchor.y), repetition_px);
+            // The place between the one before and this one where it is half ink.
+            const double half = along + side / steps * (k - (k > 0.0 ? (ink - 0.5) / (ink - before) : 0.0));
+            if (ink >= 0.5 && before < 0.5) dashes.push_back(dvec2(half));
+            if (ink < 0.5 && before >= 0.5) dashes.back().y = half;
+            before = ink;
+        }
+        along += side;
+    }
+    if (before >= 0.5) dashes.back().y = along;
+    return dashes;
+}
+
+std::vector<Mark> Tracing::divided_dashes_of(const Mark& mark) const {
+    const double length = length_of(mark.points), width = mean_width(mark);
+    const double cut = grain_of(mark).round ? 0.5 * width : 0.0;
+    const std::vector<dvec2> found = divided(mark);
+    if (found.size() > 1 && length < least_pattern_ * double(found.size())) return {mark};
+    Parts parts(mark);
+    std::vector<Mark> dashes;
+    for (const dvec2& dash : found) {
+        // Half discs at both ends of dashes are as long as the pen is wide; a dot is next to nothing long.
+        const double from = dash.x > 0.0 ? dash.x + cut : 0.0, to = dash.y < length ? dash.y - cut : length;
+        const double middle = 0.5 * (from + to), half = std::max(0.5 * (to - from), 0.005 * width);
+        Mark part = parts.dash(std::max(middle - half, 0.0), std::min(middle + half, length));
+        if (part.points.size() > 1) dashes.push_back(std::move(part));
+    }
+    return dashes;
+}
+
 std::vector<Mark> Tracing::dashes_of(const Mark& mark) const {
+    if (!mark.anchors.empty()) return divided_dashes_of(mark);
     const Look look = dashed(mark);
     if (look.dashes.empty()) return {mark};
     const double length = length_of(mark.points);

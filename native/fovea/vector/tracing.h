@@ -18,13 +18,16 @@ class Tracing {
     Path path_of(const Mark& mark) const;
     /// What its line is, without a look and curves.
     Path owner_of(const Mark& mark) const;
-    /// The dashes of a mark, each a mark; itself if it has none, or so short ones that they are one line.
+    /// The dashes of a mark, each a mark; itself if it has none, or so short ones that they are one line. Those that
+    /// are fixed to paths divide where the line grows, as in the picture (stroke/octaves.h).
     std::vector<Mark> dashes_of(const Mark& mark) const;
 
     double tolerance() const { return tolerance_; }  ///< in units of the page
 
    private:
     Look dashed(const Mark& mark) const;
+    std::vector<dvec2> divided(const Mark& mark) const;
+    std::vector<Mark> divided_dashes_of(const Mark& mark) const;
     const Pen& pen_of(const Mark& mark) const { return inking_.pens[inking_.pen_of_run[mark.run]]; }
     const Grain& grain_of(const Mark& mark) const { return grains_[inking_.pen_of_run[mark.run]]; }
 
