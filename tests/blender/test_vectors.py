@@ -106,7 +106,7 @@ def test_curves_of_golden_scenes_keep_their_tolerance_on_both_sides(name, monkey
     off, shared = [], sorted(lines.keys() & curves.keys())
     shared = shared[:: 1 + len(shared) // 300]  # of very many, some
     for line, curve in ((traced(lines[key]), traced(curves[key])) for key in shared):
-        # Where strokes fade, the last point that is seen is another one of finer lines, as are ends of dashes that divide.
+        # Where strokes fade, and dashes have just divided, the last point that is seen is another one of finer lines.
         if np.abs(line[[0, -1]] - curve[[0, -1]]).max() < 2 * tolerance:
             off.append(max(farthest(line, curve), farthest(curve, line)))
     assert len(off) > 0.9 * len(shared) > 5 and len(off) > 0.02 * len(lines)
