@@ -32,14 +32,6 @@ inline float ink(const PenTexture& texture, float along, float v, float half_wid
     return stroke.stroke_ink(0, stroke.size(), along, v, half_width);
 }
 
-/// `along`: place on the path, of which all has path_px pixels; of a texture with octaves.
-inline float anchored_ink(const PenTexture& texture, float along, float v, float half_width, float path_px,
-                          float texture_length_px) {
-    formulas::Stroke stroke{&texture};
-    return stroke.anchored_stroke_ink(0, stroke.size(), texture.dashed, along, v, half_width, path_px,
-                                      texture_length_px);
-}
-
 /// What is left of ink where nothing is of `faint` ink and less (Strokes::mix).
 inline float ink_left(float ink, float faint) { return formulas::Stroke{}.stroke_ink_left(ink, faint); }
 

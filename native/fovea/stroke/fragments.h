@@ -8,6 +8,7 @@
 
 #include <fovea/raster/tiles.h>
 #include <fovea/stroke/fragment.h>
+#include <fovea/stroke/octaves.h>
 #include <fovea/stroke/strokes.h>
 #include <fovea/visibility/spine.h>
 

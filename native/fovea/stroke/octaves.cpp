@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <functional>
-#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -41,19 +41,20 @@ std::vector<int> distances(const std::vector<int>& circle, Before before) {
 /// Ranks of a row's texels by their level, least first.
 void rank(const std::vector<int>& level, float* ranks) {
     const std::vector<int> to_less = distances(level, std::less<>()), to_more = distances(level, std::greater<>());
-    const auto key = [&](Index k) { return std::pair(level[k], to_less[k] - to_more[k]); };
-    std::vector<Index> order(level.size());
-    std::iota(order.begin(), order.end(), Index(0));
-    std::ranges::stable_sort(order, {}, key);
-    for (std::size_t first = 0, end = 0; first < order.size(); first = end) {
-        while (end < order.size() && key(order[end]) == key(order[first])) ++end;
+    const std::uint64_t count = level.size();
+    std::vector<std::uint64_t> order;  // level, then distance, then column
+    for (std::uint64_t k = 0; k < count; ++k)
+        order.push_back((std::uint64_t(level[k]) * (2 * count + 1) + (count + to_less[k] - to_more[k])) * count + k);
+    std::ranges::sort(order);
+    for (std::size_t first = 0, end = 0; first < count; first = end) {
+        while (end < count && order[end] / count == order[first] / count) ++end;
         for (std::size_t k = first; k < end; ++k)
-            ranks[order[k]] = float(0.5 * double(first + end) / double(order.size()));
+            ranks[order[k] % count] = float(0.5 * double(first + end) / double(count));
     }
 }
 
 /// The value that a share of them is below.
-float quantile(std::vector<float>& values, double share) {
+float quantile(Array<float>& values, double share) {
     std::ranges::sort(values);
     const double at = std::clamp(share * double(values.size()) - 0.5, 0.0, double(values.size() - 1));
     const std::size_t below = std::min(std::size_t(at), values.size() - 1),
@@ -79,7 +80,7 @@ Array<float> octaves_of_dashes(const PenTexture& fitted) {
     formulas::Stroke stroke{&made};
     // Places between texels, too, in two repetitions of the finer octave, which are one of the coarser.
     const int places = 4 * fitted.width, stride = (places / most_samples) | 1;
-    std::vector<float> found;
+    Array<float> found;
     for (int row = 0; row < fitted.height; ++row) {
         const double gaps = 1.0 - mean_ink(fitted.row(row));
         float* const of_row = shifts + row * (steps + 1);
@@ -103,6 +104,13 @@ Array<float> octaves_of(const PenTexture& fitted) {
     Array<float> means;
     for (int row = 0; row < fitted.height; ++row) means.push_back(float(mean_ink(fitted.row(row))));
     return means;
+}
+
+float anchored_ink(const PenTexture& texture, float along, float v, float half_width, float path_px,
+                   float texture_length_px) {
+    formulas::Stroke stroke{&texture};
+    return stroke.anchored_stroke_ink(0, stroke.size(), texture.dashed, along, v, half_width, path_px,
+                                      texture_length_px);
 }
 
 }  // namespace fovea::stroke

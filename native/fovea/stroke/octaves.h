@@ -14,4 +14,8 @@ namespace fovea::stroke {
 /// equally spaced shares of the finer octave.
 Array<float> octaves_of(const PenTexture& fitted);
 
+/// Ink of a texture with octaves at a place on a path, of which all has path_px pixels; v: across the stroke [px].
+float anchored_ink(const PenTexture& texture, float along, float v, float half_width, float path_px,
+                   float texture_length_px);
+
 }  // namespace fovea::stroke

@@ -6,7 +6,7 @@
 #include <numeric>
 
 #include <fovea/line/registry.h>
-#include <fovea/stroke/fragment.h>
+#include <fovea/stroke/octaves.h>
 #include <fovea/stroke/strip.h>
 #include <fovea/vector/fit.h>
 #include <fovea/vector/outline.h>
