@@ -125,6 +125,17 @@ TEST(Vectors, DashesFixedToPathsAreThoseOfThePicture) {
     }
 }
 
+TEST(Vectors, DashesFixedToPathsThatAreTooShortToBeSeenAreOneLine) {
+    style::Style style = tool::style_of({"contour", "crease"});
+    style.line_sets[0].pen.texture = "dashes";
+    style.line_sets[0].pen.texture_anchor = style::Anchor::path;
+    style.line_sets[0].pen.width = 0.02;
+    const std::vector<vector::Path> lines = paths_of(drawn(style));
+    EXPECT_GT(lines.size(), 3u);
+    EXPECT_LT(lines.size(), 15u);
+    for (const vector::Path& line : lines) EXPECT_GT(vector::length_of(line.curves.at(0).points), 10.0);
+}
+
 TEST(Vectors, HaveUniqueNamesAndEqualBytesTwice) {
     const std::string svg = vector::svg_bytes(drawn(with_hidden()).document);
     EXPECT_EQ(svg, vector::svg_bytes(drawn(with_hidden()).document));

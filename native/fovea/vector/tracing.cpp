@@ -172,11 +172,10 @@ std::vector<dvec2> Tracing::divided(const Mark& mark) const {
 std::vector<Mark> Tracing::divided_dashes_of(const Mark& mark) const {
     const double length = length_of(mark.points), width = mean_width(mark);
     const double cut = grain_of(mark).round ? 0.5 * width : 0.0;
-    const std::vector<dvec2> found = divided(mark);
-    if (found.size() > 1 && length < least_pattern_ * double(found.size())) return {mark};
+    if (!(scale_ * pen_of(mark).texture_length_px >= least_pattern_)) return {mark};
     Parts parts(mark);
     std::vector<Mark> dashes;
-    for (const dvec2& dash : found) {
+    for (const dvec2& dash : divided(mark)) {
         // Half discs at both ends of dashes are as long as the pen is wide; a dot is next to nothing long.
         const double from = dash.x > 0.0 ? dash.x + cut : 0.0, to = dash.y < length ? dash.y - cut : length;
         const double middle = 0.5 * (from + to), half = std::max(0.5 * (to - from), 0.005 * width);
