@@ -5,6 +5,7 @@
 #pragma once
 
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
 #include <functional>
 #include <tbb/blocked_range.h>
@@ -155,6 +156,17 @@ Lists<T> lists_of(std::size_t count, const Each& each, const CountUp& count_up) 
 template <typename T, typename Each>
 Lists<T> lists_of(std::size_t count, const Each& each) {
     return lists_of<T>(count, each, [](Index& number) { return number++; });
+}
+
+/// The same in parallel: visit(i, give) makes the calls for element i of `count`. Lists are in ascending order by
+/// `less`, which must be total, so that the order of filling does not matter.
+template <typename T, typename Visit, typename Less = std::less<>>
+Lists<T> sorted_lists_of(std::size_t size, std::size_t count, const Visit& visit, const Less& less = {}) {
+    const auto each = [&](const auto& give) { parallel_for(count, [&](std::size_t i) { visit(i, give); }); };
+    const auto count_up = [](Index& number) { return std::atomic_ref(number).fetch_add(1, std::memory_order_relaxed); };
+    Lists<T> lists = lists_of<T>(size, each, count_up);
+    parallel_for(size, [&](std::size_t k) { std::ranges::sort(lists[Index(k)], less); });
+    return lists;
 }
 
 }  // namespace fovea::base

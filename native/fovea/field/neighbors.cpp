@@ -2,7 +2,6 @@
 #include <fovea/field/neighbors.h>
 
 #include <algorithm>
-#include <atomic>
 #include <bit>
 #include <cmath>
 
@@ -14,17 +13,6 @@
 
 namespace fovea::field {
 namespace {
-
-/// Like lists_of, in parallel; each list is sorted afterwards, so that the order of filling does not matter. visit(i,
-/// give) calls give(list, value) for the values of element i.
-template <typename Visit>
-Lists<Index> sorted_lists(Index size, std::size_t count, const Visit& visit) {
-    const auto each = [&](const auto& give) { parallel_for(count, [&](std::size_t i) { visit(i, give); }); };
-    const auto count_up = [](Index& number) { return std::atomic_ref(number).fetch_add(1, std::memory_order_relaxed); };
-    Lists<Index> lists = lists_of<Index>(size, each, count_up);
-    parallel_for(size, [&](std::size_t k) { std::ranges::sort(lists[Index(k)]); });
-    return lists;
-}
 
 /// Classifies edges as hard: by the angle between their two facets, compared with how much the surface bends next to
 /// them. Where it bends there as well, the fold is a rounded one of few triangles, at which neighborhoods must not be
@@ -146,13 +134,13 @@ Array<Index> kept_triangles(const Surface& surface, const Lists<Index>& hard_end
 Neighbors find_neighbors(const Surface& surface, double hard_angle) {
     Neighbors result;
     const Index count = surface.vertex_count();
-    Lists<Index> around = sorted_lists(count, surface.triangles.size(), [&](std::size_t t, const auto& give) {
+    Lists<Index> around = sorted_lists_of<Index>(count, surface.triangles.size(), [&](std::size_t t, const auto& give) {
         for (int i = 0; i < 3; ++i) give(surface.triangles[t][i], Index(t));
     });
     result.hard.assign(count, 0);
     if (hard_angle < no_hard_edges) {
         const Array<std::uint8_t> is_hard = HardEdges(surface, around, hard_angle).find();
-        const auto ends = sorted_lists(count, is_hard.size(), [&](std::size_t e, const auto& give) {
+        const auto ends = sorted_lists_of<Index>(count, is_hard.size(), [&](std::size_t e, const auto& give) {
             if (!is_hard[e]) return;
             give(surface.edges[e].x, surface.edges[e].y);
             give(surface.edges[e].y, surface.edges[e].x);

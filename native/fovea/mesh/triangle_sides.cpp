@@ -19,18 +19,17 @@ TriangleSides number_sides(const Surface& surface) {
     struct Corner {
         Index other, corner;  // 3 t + i
     };
-    Lists<Corner> sides_at = lists_of<Corner>(surface.vertex_count(), [&](const auto& give) {
-        for (std::size_t c = 0; c < 3 * count; ++c) {
-            const Edge e = ends(c);
-            give(e.x, Corner{e.y, static_cast<Index>(c)});
-        }
-    });
+    const auto in_order = [](const Corner& a, const Corner& b) {
+        return a.other != b.other ? a.other < b.other : a.corner < b.corner;
+    };
+    const auto visit = [&](std::size_t corner, const auto& give) {
+        const Edge e = ends(corner);
+        give(e.x, Corner{e.y, static_cast<Index>(corner)});
+    };
+    const Lists<Corner> sides_at = sorted_lists_of<Corner>(surface.vertex_count(), 3 * count, visit, in_order);
     // number of sides of each vertex, then (prefix sum) the number of its first side
     Array<Index> first = parallel_map<Index>(surface.vertex_count(), [&](std::size_t v) {
-        const std::span<Corner> corners = sides_at[Index(v)];
-        std::ranges::sort(corners, [](const Corner& a, const Corner& b) {
-            return a.other != b.other ? a.other < b.other : a.corner < b.corner;
-        });
+        const In<Corner> corners = sides_at[Index(v)];
         Index sides = 0;
         for (std::size_t i = 0; i < corners.size(); ++i) sides += i == 0 || corners[i].other != corners[i - 1].other;
         return sides;
@@ -41,7 +40,7 @@ TriangleSides number_sides(const Surface& surface) {
     sides.vertices.resize(first.back());
     parallel_for(surface.vertex_count(), [&](std::size_t v) {
         Index number = first[v] - 1;
-        const std::span<Corner> corners = sides_at[Index(v)];
+        const In<Corner> corners = sides_at[Index(v)];
         for (std::size_t i = 0; i < corners.size(); ++i) {
             if (i == 0 || corners[i].other != corners[i - 1].other)
                 sides.vertices[++number] = Edge(static_cast<Index>(v), corners[i].other);
@@ -62,10 +61,10 @@ std::shared_ptr<const Lists<Index>> triangles_at_sides(const Surface& surface) {
     struct AtSides : Lists<Index> {};
     return surface.cache().get<AtSides>(0, [&] {
         const auto sides = triangle_sides(surface);
-        return AtSides{lists_of<Index>(sides->vertices.size(), [&](const auto& give) {
-            for (Index t = 0; t < sides->of_triangle.size(); ++t)
-                for (int i = 0; i < 3; ++i) give(sides->of_triangle[t][i], t);
-        })};
+        const auto visit = [&](std::size_t t, const auto& give) {
+            for (int i = 0; i < 3; ++i) give(sides->of_triangle[t][i], static_cast<Index>(t));
+        };
+        return AtSides{sorted_lists_of<Index>(sides->vertices.size(), sides->of_triangle.size(), visit)};
     });
 }
 

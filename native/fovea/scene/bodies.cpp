@@ -2,6 +2,7 @@
 #include <fovea/scene/bodies.h>
 
 #include <algorithm>
+#include <atomic>
 #include <tuple>
 
 #include <fovea/base/disjoint_sets.h>
@@ -9,6 +10,8 @@
 
 namespace fovea::scene {
 namespace {
+
+constexpr std::size_t block = 1 << 14;  // edges, facets or triangles that a thread looks at in one go
 
 /// Whether as many of the sides of an edge run one way as the other.
 bool is_balanced(const Surface& surface, Index edge, In<std::uint8_t> hides) {
@@ -28,9 +31,12 @@ struct OpenEdge {
 /// The open edges, those in one place beside each other: where a mesh is split along texture seams and hard edges, as
 /// files for games are, the surface goes on. Without those of no length.
 Array<OpenEdge> open_edges(const Surface& surface, In<std::uint8_t> hides) {
-    Array<OpenEdge> open;
-    for (Index e = 0; e < surface.edges.size(); ++e)
-        if (!is_balanced(surface, e, hides)) open.push_back({surface.edges[e], e, false});
+    Array<OpenEdge> open = parallel_collect<OpenEdge>(surface.edges.size(), block,
+                                                      [&](std::size_t begin, std::size_t end, Array<OpenEdge>& out) {
+                                                          for (Index e = Index(begin); e < end; ++e)
+                                                              if (!is_balanced(surface, e, hides))
+                                                                  out.push_back({surface.edges[e], e, false});
+                                                      });
     Array<Index> vertices;
     for (const OpenEdge& o : open) vertices.insert(vertices.end(), {o.ends.x, o.ends.y});
     const auto position = [&](Index v) {
@@ -54,32 +60,64 @@ Array<OpenEdge> open_edges(const Surface& surface, In<std::uint8_t> hides) {
     return open;
 }
 
+/// Six times the signed volume of each of `count` bodies.
+Array<double> volumes(const Surface& surface, In<Index> of_facet, std::size_t count) {
+    struct Part {
+        Index body;
+        double volume;
+    };
+    const auto parts = parallel_collect<Part>(
+        surface.occluding_triangles, block, [&](std::size_t begin, std::size_t end, Array<Part>& out) {
+            for (std::size_t t = begin; t < end; ++t) {
+                const auto corner = [&](int i) {
+                    return dvec3(surface.positions[surface.triangles[t][i]] - surface.center);
+                };
+                const Index body = of_facet[surface.triangle_facet[t]];
+                if (out.empty() || out.back().body != body) out.push_back({body, 0.0});
+                out.back().volume += glm::dot(corner(0), glm::cross(corner(1), corner(2)));
+            }
+        });
+    Array<double> volume(count, 0.0);
+    for (const Part& part : parts) volume[part.body] += part.volume;
+    return volume;
+}
+
 }  // namespace
 
 Bodies::Bodies(const Surface& surface) : of_facet(surface.facet_count(), none) {
     Array<std::uint8_t> hides(surface.facet_count(), 0);
-    for (Index t = 0; t < surface.occluding_triangles; ++t) hides[surface.triangle_facet[t]] = 1;
+    parallel_for(surface.occluding_triangles, [&](std::size_t t) {
+        std::atomic_ref(hides[surface.triangle_facet[t]]).store(1, std::memory_order_relaxed);
+    });
     const auto each_side = [&](Index edge, const auto& body) {
         for (const EdgeSide side : surface.sides(edge))
             if (hides[side.facet()]) body(side);
     };
     DisjointSets sets(surface.facet_count());
-    for (Index e = 0; e < surface.edges.size(); ++e) {
+    parallel_for(surface.edges.size(), [&](std::size_t e) {
         Index first = none;
-        each_side(e, [&](EdgeSide side) {
+        each_side(Index(e), [&](EdgeSide side) {
             if (first == none) first = side.facet();
             sets.join(first, side.facet());
         });
-    }
+    });
     const Array<OpenEdge> open = open_edges(surface, hides);
     for (std::size_t i = 1; i < open.size(); ++i)
         if (open[i].ends == open[i - 1].ends)
             each_side(open[i].edge, [&](EdgeSide side) {
                 each_side(open[i - 1].edge, [&](EdgeSide other) { sets.join(side.facet(), other.facet()); });
             });
-    Index count = 0;
-    for (Index f = 0; f < of_facet.size(); ++f)
-        if (hides[f]) of_facet[f] = sets.name(f) == f ? count++ : of_facet[sets.name(f)];
+    const Array<Index> firsts =
+        parallel_collect<Index>(of_facet.size(), block, [&](std::size_t begin, std::size_t end, Array<Index>& out) {
+            for (Index f = Index(begin); f < end; ++f)
+                if (hides[f] && sets.name(f) == f) out.push_back(f);
+        });
+    const std::size_t count = firsts.size();
+    for (Index b = 0; b < count; ++b) of_facet[firsts[b]] = b;
+    parallel_for(of_facet.size(), [&](std::size_t f) {
+        const Index first = hides[f] ? sets.name(Index(f)) : Index(f);
+        if (first != f) of_facet[f] = of_facet[first];
+    });
     solid.assign(count, 1);
     for (std::size_t i = 0; i < open.size();) {
         int turns = 0;
@@ -92,11 +130,7 @@ Bodies::Bodies(const Surface& surface) : of_facet(surface.facet_count(), none) {
             });
         if (turns != 0) solid[body] = 0;
     }
-    Array<double> volume(count, 0.0);
-    for (Index t = 0; t < surface.occluding_triangles; ++t) {
-        const auto corner = [&](int i) { return dvec3(surface.positions[surface.triangles[t][i]] - surface.center); };
-        volume[of_facet[surface.triangle_facet[t]]] += glm::dot(corner(0), glm::cross(corner(1), corner(2)));
-    }
+    const Array<double> volume = volumes(surface, of_facet, count);
     outward = parallel_map<std::uint8_t>(count, [&](std::size_t b) { return solid[b] && volume[b] > 0.0; });
     all_outward = count > 0 && std::ranges::find(outward, 0) == outward.end();
 }

@@ -26,25 +26,26 @@ constexpr double worst_spread = 1.7;
 /// Number of triangles from which building a BVH of default quality would take longer than its rays gain.
 constexpr Index many = 1 << 18;
 
-/// Largest number of triangles in a patch.
-constexpr Index most_in_patch = 4;
+/// Largest number of triangles in a patch; of `many`, patches are larger.
+constexpr Index most_in_patch = 4, most_of_many = 8;
 
-/// Whether two triangles share a side.
-bool are_adjacent(const Triangle& a, const Triangle& b) {
-    int shared = 0;
-    for (int i = 0; i < 3; ++i) shared += a[i] == b[0] || a[i] == b[1] || a[i] == b[2];
-    return shared >= 2;
+/// Whether two triangles share a corner.
+bool touch(const Triangle& a, const Triangle& b) {
+    bool shared = false;
+    for (int i = 0; i < 3; ++i) shared |= a[i] == b[0] || a[i] == b[1] || a[i] == b[2];
+    return shared;
 }
 
-/// Patches of the occluding triangles: each is consecutive triangles, of which each shares a side with one before it.
+/// Patches of the occluding triangles: each is consecutive triangles, of which each shares a corner with one before it.
 /// The number of the first triangle of each patch, and at last that of all triangles.
 Array<Index> patches(const Surface& surface) {
     const auto& triangles = surface.triangles;
+    const Index most = surface.occluding_triangles < many ? most_in_patch : most_of_many;
     const auto fill = [&](std::size_t begin, std::size_t end, Array<Index>& first) {
         for (auto i = static_cast<Index>(begin); i < end; ++i) {
-            const auto belongs = [&](Index j) { return are_adjacent(triangles[j], triangles[i]); };
+            const auto belongs = [&](Index j) { return touch(triangles[j], triangles[i]); };
             bool found = false;
-            if (i > begin && i - first.back() < most_in_patch)
+            if (i > begin && i - first.back() < most)
                 for (Index j = first.back(); j < i && !found; ++j) found = belongs(j);
             if (!found) first.push_back(i);
         }
