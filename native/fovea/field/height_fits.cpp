@@ -2,6 +2,7 @@
 #include <fovea/field/height_fits.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 
@@ -29,6 +30,53 @@ constexpr int max_size = terms(max_degree), moment_count = terms(2 * max_degree)
 
 FOVEA_PART_OF_CALLER void load(const std::vector<double>& values, std::size_t i, Lanes* lanes) {
     std::memcpy(lanes, values.data() + i * Heights::lanes, sizeof(Lanes));
+}
+
+FOVEA_PART_OF_CALLER void store(const Lanes* lanes, std::vector<double>& values, std::size_t i) {
+    std::memcpy(values.data() + i * Heights::lanes, lanes, sizeof(Lanes));
+}
+
+/// put_on_planes.
+FOVEA_PART_OF_CALLER void turn(Heights& points, Planes& planes, bool even) {
+    const std::size_t rows = points.x.size() / Heights::lanes;
+    Lanes count, nearest, axes[3][3], sum{}, edge{};
+    for (std::size_t lane = 0; lane < Heights::lanes; ++lane) {
+        count[lane] = double(points.counts[lane]);
+        nearest[lane] = double(planes.nearest[lane]);
+    }
+    std::memcpy(axes, planes.axes, sizeof(axes));
+    Lanes x, y, z;
+    const auto load_row = [&](std::size_t i) __attribute__((always_inline)) {
+        load(points.x, i, &x);
+        load(points.y, i, &y);
+        load(points.z, i, &z);
+    };
+    for (std::size_t i = 1; i < rows; ++i) {
+        load_row(i);
+        Lanes length = x * x + y * y + z * z;
+        for (std::size_t lane = 0; lane < Heights::lanes; ++lane) length[lane] = std::sqrt(length[lane]);
+        sum += length;
+        edge = nearest == double(i) ? sum / double(i) : edge;
+    }
+    const Lanes others = count - 1.0, scale = others > 0.0 ? sum / others : Lanes{};
+    const Lanes inverse = scale > 0.0 ? 1.0 / scale : Lanes{};
+    for (std::size_t i = 0; i < rows; ++i) {
+        load_row(i);
+        Lanes at[3];
+        for (int k = 0; k < 3; ++k) at[k] = (x * axes[k][0] + y * axes[k][1] + z * axes[k][2]) * inverse;
+        Lanes weight = 1.0 / (0.1 + at[0] * at[0] + at[1] * at[1] + at[2] * at[2]);
+        if (even) weight = Lanes{} + 1.0;
+        weight = count > double(i) ? weight : Lanes{};
+        store(&at[0], points.x, i);
+        store(&at[1], points.y, i);
+        store(&at[2], points.z, i);
+        store(&weight, points.weight, i);
+    }
+    for (std::size_t lane = 0; lane < Heights::lanes; ++lane) {
+        planes.scale[lane] = scale[lane];
+        planes.edge_length[lane] = edge[lane];
+        if (!(scale[lane] > 0.0)) points.counts[lane] = 0;
+    }
 }
 
 /// Monomials x^i y^j up to a degree, ordered as in Polynomial, all multiplied by m[0].
@@ -118,8 +166,11 @@ FOVEA_PART_OF_CALLER void fit(int degree, const Heights& points, Polynomials* fo
 }
 
 void fit_narrow(int degree, const Heights& points, Polynomials* found) { fit(degree, points, found); }
+void turn_narrow(Heights& points, Planes& planes, bool even) { turn(points, planes, even); }
 
 #ifdef __x86_64__
+[[gnu::target("avx2")]] void turn_wide(Heights& points, Planes& planes, bool even) { turn(points, planes, even); }
+
 [[gnu::target("avx2")]] void fit_wide(int degree, const Heights& points, Polynomials* found) {
     fit(degree, points, found);
 }
@@ -133,6 +184,7 @@ bool find_wide_registers() {
 }
 #else
 void fit_wide(int degree, const Heights& points, Polynomials* found) { fit(degree, points, found); }
+void turn_wide(Heights& points, Planes& planes, bool even) { turn(points, planes, even); }
 bool find_wide_registers() { return false; }
 #endif
 
@@ -148,6 +200,10 @@ void Heights::add(std::size_t lane, std::size_t count) {
     const std::size_t rows = (count + unrolled - 1) / unrolled * unrolled;
     if (rows * lanes <= x.size()) return;
     for (auto* values : {&x, &y, &z, &weight}) values->resize(rows * lanes, 0.0);
+}
+
+void put_on_planes(Heights& points, Planes& planes, bool even, bool wide) {
+    (wide ? turn_wide : turn_narrow)(points, planes, even);
 }
 
 double height_of(const Polynomial& found, double x, double y) {

@@ -25,6 +25,20 @@ struct Heights {
     void add(std::size_t lane, std::size_t count);
 };
 
+/// Planes through the first points of neighborhoods.
+struct Planes {
+    static constexpr std::size_t lanes = Heights::lanes;
+    double axes[3][3][lanes] = {};             ///< of axis, coordinate and lane: unit vectors, the normal the last
+    std::array<std::size_t, lanes> nearest{};  ///< how many points after the first are its direct neighbors
+    std::array<double, lanes> scale{}, edge_length{};  ///< mean distance from the first point; that of its neighbors
+};
+
+/// From x, y, z of points as they are offset from the first of each neighborhood to coordinates and heights over its
+/// plane, in units of the mean distance, and weights: equal ones if `even`, which noisy surfaces need; else near points
+/// weigh more, which makes fits accurate on clean ones. Fills scale and edge_length of `planes`; a neighborhood of no
+/// extent has a scale of 0, and no points afterwards. `wide`: as below.
+void put_on_planes(Heights& points, Planes& planes, bool even, bool wide);
+
 /// z = sum of a x^i y^j, ordered by i + j, then by j; coefficients above the degree are zero, as are all if it is 0.
 struct Polynomial {
     std::array<double, terms(max_degree)> a{};

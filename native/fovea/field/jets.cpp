@@ -19,10 +19,9 @@ namespace {
 constexpr int spare_points = 4;  // points wanted beyond the number of coefficients
 constexpr int extra_rings = 4;   // rings added at most where there are too few points
 
-/// The frame of a vertex, in whose Heights its neighborhood is divided by `scale`, the mean distance of its points.
+/// The frame of a vertex: tangents and normal.
 struct Frame {
     dvec3 t, b, n;
-    double scale = 1.0, edge_length = 0.0;
 };
 
 /// Per-thread scratch space for as many neighborhoods as are fitted at once.
@@ -30,38 +29,29 @@ struct Look {
     explicit Look(Index vertices) : walk(vertices) {}
     Walk walk;
     Heights heights;
+    Planes planes;
     std::array<Frame, Heights::lanes> frames;
 
-    /// Fills a lane of `frames` and `heights` with a neighborhood, the vertex itself first; false if it is of no
-    /// extent. `even`: equal weights, which noisy surfaces need; else near points weigh more, which makes fits accurate
-    /// on clean ones.
-    bool place(const Surface& surface, const Neighbors& neighbors, const std::vector<Index>& found, const dvec3& normal,
-               bool even, std::size_t lane) {
-        Frame& frame = frames[lane];
-        frame.n = normal;
-        frame.t = any_tangent(normal);
-        frame.b = glm::cross(normal, frame.t);
-        frame.edge_length = 0.0;
-        const dvec3 origin(surface.positions[found[0]]);
-        const std::size_t first_ring = std::min<std::size_t>(neighbors.vertices.size(found[0]), found.size() - 1);
-        double sum = 0.0;
-        for (std::size_t i = 1; i < found.size(); ++i) {
-            sum += glm::length(dvec3(surface.positions[found[i]]) - origin);
-            if (i == first_ring) frame.edge_length = sum / double(i);
+    /// Fills a lane with a neighborhood, the vertex itself first.
+    void place(const Surface& surface, const Neighbors& neighbors, const std::vector<Index>& found, const dvec3& normal,
+               std::size_t lane) {
+        const dvec3 tangent = any_tangent(normal);
+        frames[lane] = {tangent, glm::cross(normal, tangent), normal};
+        for (int i = 0; i < 3; ++i) {
+            planes.axes[0][i][lane] = frames[lane].t[i];
+            planes.axes[1][i][lane] = frames[lane].b[i];
+            planes.axes[2][i][lane] = frames[lane].n[i];
         }
-        frame.scale = found.size() > 1 ? sum / double(found.size() - 1) : 0.0;
-        if (!(frame.scale > 0.0)) return false;
+        planes.nearest[lane] = std::min<std::size_t>(neighbors.vertices.size(found[0]), found.size() - 1);
         heights.add(lane, found.size());
-        const double inverse = 1.0 / frame.scale;
+        const dvec3 origin(surface.positions[found[0]]);
         for (std::size_t i = 0; i < found.size(); ++i) {
             const dvec3 d = dvec3(surface.positions[found[i]]) - origin;
             const std::size_t at = i * Heights::lanes + lane;
-            const double x = heights.x[at] = glm::dot(d, frame.t) * inverse;
-            const double y = heights.y[at] = glm::dot(d, frame.b) * inverse;
-            const double z = heights.z[at] = glm::dot(d, frame.n) * inverse;
-            heights.weight[at] = even ? 1.0 : 1.0 / (0.1 + x * x + y * y + z * z);
+            heights.x[at] = d.x;
+            heights.y[at] = d.y;
+            heights.z[at] = d.z;
         }
-        return true;
     }
 };
 
@@ -77,25 +67,27 @@ ImplicitJet jet_of(const std::array<double, terms(max_degree)>& a) {
     return jet;
 }
 
-Curvature to_object(CurvatureD c, const Frame& frame) {
+/// `scale`: of the heights that the curvature is of.
+Curvature to_object(CurvatureD c, const Frame& frame, double scale) {
     const dmat3 axes(frame.t, frame.b, frame.n);
     c.normal = axes * c.normal;
     c.e1 = axes * c.e1;
     c.e2 = axes * c.e2;
-    c.k1 /= frame.scale;
-    c.k2 /= frame.scale;
-    for (double& third : c.C) third /= frame.scale * frame.scale;
+    c.k1 /= scale;
+    c.k2 /= scale;
+    for (double& third : c.C) third /= scale * scale;
     return rounded(c);
 }
 
-/// Gathers the neighborhood of vertex v into a lane; false if v has no normal or no other point.
+/// Gathers the neighborhood of vertex v into a lane; false if v has no normal.
 bool look_around(const Surface& surface, const Neighbors& neighbors, const JetOptions& options, Index v, Look& look,
                  std::size_t lane) {
     const vec3 normal = vertex_normal(surface, neighbors, v);
     if (normal == vec3(0.0f)) return false;
     const auto& found =
         look.walk.gather(neighbors, v, options.rings, terms(options.degree) + spare_points, extra_rings);
-    return look.place(surface, neighbors, found, glm::normalize(dvec3(normal)), options.even, lane);
+    look.place(surface, neighbors, found, glm::normalize(dvec3(normal)), lane);
+    return true;
 }
 
 /// Curvature of `count` vertices, the i-th of which is vertex(i).
@@ -115,9 +107,11 @@ Array<Curvature> fit_vertices(const Surface& surface, const Neighbors& neighbors
                 result[i] = {};
                 if (look_around(surface, neighbors, options, vertex(i), look, filled)) of_lane[filled++] = i;
             }
+            put_on_planes(look.heights, look.planes, options.even, wide);
             const auto fits = fit_heights(options.degree, look.heights, wide);
             for (std::size_t lane = 0; lane < filled; ++lane)
-                result[of_lane[lane]] = to_object(curvature_of(jet_of(fits[lane].a)), look.frames[lane]);
+                if (const double scale = look.planes.scale[lane]; scale > 0.0)
+                    result[of_lane[lane]] = to_object(curvature_of(jet_of(fits[lane].a)), look.frames[lane], scale);
         }
     });
     return result;
@@ -131,6 +125,7 @@ std::optional<double> residual_at(const Surface& surface, const Neighbors& neigh
     const Heights& heights = look.heights;
     look.heights.clear();
     if (!look_around(surface, neighbors, options, v, look, lane)) return {};
+    put_on_planes(look.heights, look.planes, options.even, has_wide_registers());
     if (heights.counts[lane] < std::size_t(terms(options.degree) + spare_points)) return {};
     const Polynomial found = fit_heights(options.degree, heights, has_wide_registers())[lane];
     if (found.degree != options.degree) return {};
@@ -141,7 +136,7 @@ std::optional<double> residual_at(const Surface& surface, const Neighbors& neigh
         squares += off * off;
     }
     const double freedom = double(heights.counts[lane]) - terms(options.degree);
-    return std::sqrt(squares / freedom) * look.frames[lane].scale / look.frames[lane].edge_length;
+    return std::sqrt(squares / freedom) * look.planes.scale[lane] / look.planes.edge_length[lane];
 }
 
 }  // namespace

@@ -26,24 +26,24 @@ constexpr double worst_spread = 1.7;
 /// Number of triangles from which building a BVH of default quality would take longer than its rays gain.
 constexpr Index many = 1 << 18;
 
-/// Largest number of triangles in a patch; of `many`, patches are larger.
-constexpr Index most_in_patch = 4, most_of_many = 8;
-
-/// Whether two triangles share a corner.
-bool touch(const Triangle& a, const Triangle& b) {
-    bool shared = false;
-    for (int i = 0; i < 3; ++i) shared |= a[i] == b[0] || a[i] == b[1] || a[i] == b[2];
+/// How many corners two triangles share.
+int shared_corners(const Triangle& a, const Triangle& b) {
+    int shared = 0;
+    for (int i = 0; i < 3; ++i) shared += a[i] == b[0] || a[i] == b[1] || a[i] == b[2];
     return shared;
 }
 
-/// Patches of the occluding triangles: each is consecutive triangles, of which each shares a corner with one before it.
-/// The number of the first triangle of each patch, and at last that of all triangles.
+/// Patches of the occluding triangles: each is consecutive triangles, of which each shares corners with one before it.
+/// Those of `many` are larger, since rows of quads share corners, but not sides: building takes less of a frame's time
+/// then, and rays a little more. The number of the first triangle of each patch, and at last that of all triangles.
 Array<Index> patches(const Surface& surface) {
     const auto& triangles = surface.triangles;
-    const Index most = surface.occluding_triangles < many ? most_in_patch : most_of_many;
+    const bool few = surface.occluding_triangles < many;
+    const Index most = few ? 4 : 8;
+    const int least_shared = few ? 2 : 1;
     const auto fill = [&](std::size_t begin, std::size_t end, Array<Index>& first) {
         for (auto i = static_cast<Index>(begin); i < end; ++i) {
-            const auto belongs = [&](Index j) { return touch(triangles[j], triangles[i]); };
+            const auto belongs = [&](Index j) { return shared_corners(triangles[j], triangles[i]) >= least_shared; };
             bool found = false;
             if (i > begin && i - first.back() < most)
                 for (Index j = first.back(); j < i && !found; ++j) found = belongs(j);
