@@ -144,6 +144,35 @@ TEST(Bvh, OfASurfaceMovedWithRefitDoesSo) {
     }
 }
 
+TEST(Bvh, OfASurfaceOfManyTrianglesTellsWhatThoseOfItsPartsDo) {
+    constexpr int side = 370, parts = 4;  // 273800 triangles, more than have BVHs of the best quality
+    const auto waves = [](Mesh mesh) {
+        for (vec3& p : mesh.positions) p.z = 0.2f * std::sin(9.0f * p.x) * std::cos(7.0f * p.y);
+        return mesh;
+    };
+    const Mesh whole = waves(grid(side));
+    std::vector<Placement> apart;
+    for (int part = 0; part < parts; ++part) {
+        Polygons polygons;
+        for (int f = part; f < side * side; f += parts)  // neighbors are of different parts
+            polygons.emplace_back(whole.corner_verts.begin() + 4 * f, whole.corner_verts.begin() + 4 * (f + 1));
+        apart.push_back({of_polygons("part", whole.positions, polygons).surface(), dmat4(1.0), Index(part + 1)});
+    }
+    const View above = perspective({0.3, -2.5, 1.5}, {0, 0, 0}, 40);
+    const Scene one({{whole.surface(), dmat4(1.0), 1}}), many(apart);
+    const Tracer of_one(one, above), of_many(many, above);
+    int hits = 0;
+    for (int y = 0; y < 480; y += 3)
+        for (int x = 0; x < 640; x += 3) {
+            const auto a = of_one.seen({x + 0.37, y + 0.41}), b = of_many.seen({x + 0.37, y + 0.41});
+            ASSERT_EQ(a.has_value(), b.has_value());
+            if (!a || !b) continue;
+            EXPECT_EQ(a->t, b->t);
+            ++hits;
+        }
+    EXPECT_GT(hits, 10000);
+}
+
 TEST(Bvh, RefittedHitsTheSameAlongRaysThroughVerticesAndSides) {
     // Looked at from straight above, 20 pixels to a square.
     const View above = orthographic({0, 0, 5}, {0, 0, 0}, 3.2);

@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <set>
 
 #include <fovea/base/cancel.h>
+#include <fovea/base/parallel.h>
 #include <fovea/color/displayed.h>
 #include <fovea/color/srgb.h>
 #include <fovea/style/ranges.h>
@@ -74,15 +76,17 @@ Index line_set_of(const Frame& frame, Index run) {
 
 /// Each dash as a mark: `all`, or those alone that are fixed to paths, as they are not all alike.
 std::vector<Mark> dashes_apart(std::vector<Mark>& marks, const Tracing& tracing, bool all) {
-    std::vector<Mark> dashes;
-    for (Mark& mark : marks) {
-        Cancelling::poll();
-        if (!all && mark.anchors.empty()) {
-            dashes.push_back(std::move(mark));
-            continue;
+    const auto fill = [&](std::vector<Mark>& dashes, std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            if (!all && marks[i].anchors.empty())
+                dashes.push_back(std::move(marks[i]));
+            else
+                for (Mark& dash : tracing.dashes_of(marks[i])) dashes.push_back(std::move(dash));
         }
-        for (Mark& dash : tracing.dashes_of(mark)) dashes.push_back(std::move(dash));
-    }
+    };
+    std::vector<Mark> dashes;
+    for (std::vector<Mark>& part : parallel_parts<std::vector<Mark>>(marks.size(), 16, fill))
+        std::ranges::move(part, std::back_inserter(dashes));
     return dashes;
 }
 

@@ -166,40 +166,37 @@ std::vector<dvec2> Tracing::divided(const Mark& mark) const {
         along += side;
     }
     if (before >= 0.5) dashes.back().y = along;
-    return dashes;
-}
-
-std::vector<Mark> Tracing::divided_dashes_of(const Mark& mark) const {
-    const double length = length_of(mark.points), width = mean_width(mark);
-    const double cut = grain_of(mark).round ? 0.5 * width : 0.0;
-    if (!(scale_ * pen_of(mark).texture_length_px >= least_pattern_)) return {mark};
-    Parts parts(mark);
-    std::vector<Mark> dashes;
-    for (const dvec2& dash : divided(mark)) {
-        // Half discs at both ends of dashes are as long as the pen is wide; a dot is next to nothing long.
-        const double from = dash.x > 0.0 ? dash.x + cut : 0.0, to = dash.y < length ? dash.y - cut : length;
-        const double middle = 0.5 * (from + to), half = std::max(0.5 * (to - from), 0.005 * width);
-        Mark part = parts.dash(std::max(middle - half, 0.0), std::min(middle + half, length));
-        if (part.points.size() > 1) dashes.push_back(std::move(part));
+    // Half discs at both ends of dashes are as long as the pen is wide.
+    const double cut = grain_of(mark).round ? 0.5 * mean_width(mark) : 0.0;
+    for (dvec2& dash : dashes) {
+        if (dash.x > 0.0) dash.x += cut;
+        if (dash.y < along) dash.y -= cut;
     }
     return dashes;
 }
 
+/// Where the dashes of a look begin and end along a mark of so much length; also beyond its ends.
+std::vector<dvec2> Tracing::repeated(const Look& look, double length) {
+    std::vector<dvec2> dashes;
+    for (double at = -look.dash_start; at < length;)
+        for (std::size_t k = 0; k < look.dashes.size(); at += look.dashes[k++])
+            if (k % 2 == 0 && at < length && at + look.dashes[k] > 0.0) dashes.emplace_back(at, at + look.dashes[k]);
+    return dashes;
+}
+
 std::vector<Mark> Tracing::dashes_of(const Mark& mark) const {
-    if (!mark.anchors.empty()) return divided_dashes_of(mark);
+    const bool divide = !mark.anchors.empty();
     const Look look = dashed(mark);
-    if (look.dashes.empty()) return {mark};
-    const double length = length_of(mark.points);
+    if (divide ? !(scale_ * pen_of(mark).texture_length_px >= least_pattern_) : look.dashes.empty()) return {mark};
+    const double length = length_of(mark.points), least = 0.01 * look.width;
     Parts parts(mark);
     std::vector<Mark> dashes;
-    for (double at = -look.dash_start; at < length;)
-        for (std::size_t k = 0; k < look.dashes.size(); at += look.dashes[k++]) {
-            if (k % 2 || at >= length || at + look.dashes[k] <= 0.0) continue;
-            // A dot is a dash that is next to nothing long.
-            const double end = std::max(at + look.dashes[k], at + 0.01 * look.width);
-            Mark dash = parts.dash(std::max(at, 0.0), std::min(end, length));
-            if (dash.points.size() > 1) dashes.push_back(std::move(dash));
-        }
+    for (const dvec2& dash : divide ? divided(mark) : repeated(look, length)) {
+        // A dot is a dash that is next to nothing long.
+        const double more = 0.5 * std::max(least - (dash.y - dash.x), 0.0);
+        Mark part = parts.dash(std::max(dash.x - more, 0.0), std::min(dash.y + more, length));
+        if (part.points.size() > 1) dashes.push_back(std::move(part));
+    }
     return dashes;
 }
 
