@@ -4,7 +4,7 @@
 Static lines: samples are matched between two frames by path id and arc length in object space; where both are visible,
 a change of opacity is due to elision alone, computed per frame or smoothed in time. A change is explained by visibility
 if another static line appears or disappears within NEAR times the lines' spacing: a whole run, or samples farther than
-the spacing from the ends of their run.
+the spacing from the ends of their run; or a view-dependent line, where about as near there was none in the other frame.
 
 View-dependent lines have no such correspondence: their ink is compared with that of the previous frame reprojected by
 depth, and so is the share of ink that elision removes; both also with elision thresholded to a hard cut."""
@@ -35,6 +35,7 @@ class OnPaths:
     arc: np.ndarray  # (n,) arc length along the path, in object space
     position: np.ndarray  # (n, 3) in object space
     shown: np.ndarray  # (n,) opacity factor of elision
+    px_of_view: np.ndarray  # (k, 2) of samples of view-dependent lines
 
 
 def on_paths(drawn):
@@ -59,6 +60,7 @@ def on_paths(drawn):
         arc[point] + along * (arc[after] - arc[point]),
         points[point] + along[:, None] * (points[after] - points[point]),
         places.shown[static],
+        places.px[~static],
     )
 
 
@@ -67,8 +69,10 @@ def changes(before, after, distance):
     which no line appears or disappears. `distance`: spacing of lines in pixels."""
     (here, shown), (there, _) = match(before, after), match(after, before)
     change = np.abs(shown - before.shown[here])
-    near = disturbed(before.px[here], before.px[lost(before, here, distance)], NEAR * distance)
-    near |= disturbed(before.px[here], after.px[lost(after, there, distance)], NEAR * distance)
+    views = before.px_of_view, after.px_of_view
+    causes = [before.px[lost(before, here, distance)], after.px[lost(after, there, distance)]]
+    causes += [one[~disturbed(one, other, NEAR * distance)] for one, other in (views, views[::-1])]
+    near = disturbed(before.px[here], np.concatenate(causes), NEAR * distance)
     return change, change[~near]
 
 

@@ -33,7 +33,7 @@ extern const LineDefinition contour = {
     .description =
         "Where a surface turns away from the viewer: edges between front and back faces. Freestyle calls it Silhouette",
     .scope = Scope::view,
-    .importance = 0.7,
+    .importance = 0.85,
     .rule = EdgeRule{mark},
     .smooth_twin = &smooth_contour,
     .outlines = true,

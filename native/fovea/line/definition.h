@@ -121,7 +121,8 @@ struct LineDefinition {
     const char* source;  ///< paper (with section), or common knowledge
     const char* description;
     Scope scope;
-    /// In (0, 1]: among lines that crowd each other, the more important is kept (elision/priority.h).
+    /// In (0, 1]: among lines that crowd each other, the more important is kept (elision/priority.h). Definitions
+    /// between which a line changes at once as the view turns, as contours and silhouettes, share one.
     double importance;
     std::vector<Parameter> parameters = {};
     /// Only definitions that depend on the scene are given one: what surfaces keep does not know of files.

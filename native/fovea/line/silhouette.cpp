@@ -83,7 +83,7 @@ extern const LineDefinition silhouette = {
     .description =
         "The outer boundary of an object, against the background or another object. Freestyle calls it Contour",
     .scope = Scope::scene,
-    .importance = 1.0,
+    .importance = 0.85,
     .rule = EdgeRule{mark, &contour},
     .smooth_twin = &smooth_silhouette,
     .slow = true,

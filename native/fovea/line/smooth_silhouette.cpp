@@ -45,7 +45,7 @@ extern const LineDefinition smooth_silhouette = {
         "The outer boundary of the smooth surface that a mesh stands for, "
         "against the background or another object",
     .scope = Scope::scene,
-    .importance = 1.0,
+    .importance = 0.85,
     .rule = CurveRule{CurveType::contour, find, select, &smooth_contour},
     .slow = true,
     .stand_ins = {{&smooth_contour, {{"end_at_cusps", 0.0}}}},
