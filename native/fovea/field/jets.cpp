@@ -19,29 +19,20 @@ namespace {
 constexpr int spare_points = 4;  // points wanted beyond the number of coefficients
 constexpr int extra_rings = 4;   // rings added at most where there are too few points
 
-/// The frame of a vertex: tangents and normal.
-struct Frame {
-    dvec3 t, b, n;
-};
-
 /// Per-thread scratch space for as many neighborhoods as are fitted at once.
 struct Look {
     explicit Look(Index vertices) : walk(vertices) {}
     Walk walk;
     Heights heights;
-    Planes planes;
-    std::array<Frame, Heights::lanes> frames;
+    Planes planes;  // tangents and normals
 
     /// Fills a lane with a neighborhood, the vertex itself first.
     void place(const Surface& surface, const Neighbors& neighbors, const std::vector<Index>& found, const dvec3& normal,
                std::size_t lane) {
         const dvec3 tangent = any_tangent(normal);
-        frames[lane] = {tangent, glm::cross(normal, tangent), normal};
-        for (int i = 0; i < 3; ++i) {
-            planes.axes[0][i][lane] = frames[lane].t[i];
-            planes.axes[1][i][lane] = frames[lane].b[i];
-            planes.axes[2][i][lane] = frames[lane].n[i];
-        }
+        const dmat3 axes(tangent, glm::cross(normal, tangent), normal);
+        for (int k = 0; k < 3; ++k)
+            for (int i = 0; i < 3; ++i) planes.axes[k][i][lane] = axes[k][i];
         planes.nearest[lane] = std::min<std::size_t>(neighbors.vertices.size(found[0]), found.size() - 1);
         heights.add(lane, found.size());
         const dvec3 origin(surface.positions[found[0]]);
@@ -67,9 +58,12 @@ ImplicitJet jet_of(const std::array<double, terms(max_degree)>& a) {
     return jet;
 }
 
-/// `scale`: of the heights that the curvature is of.
-Curvature to_object(CurvatureD c, const Frame& frame, double scale) {
-    const dmat3 axes(frame.t, frame.b, frame.n);
+/// From the frame and the unit of heights over a plane, which are of some extent.
+Curvature to_object(CurvatureD c, const Planes& planes, std::size_t lane) {
+    const double scale = planes.scale[lane];
+    dmat3 axes;
+    for (int k = 0; k < 3; ++k)
+        for (int i = 0; i < 3; ++i) axes[k][i] = planes.axes[k][i][lane];
     c.normal = axes * c.normal;
     c.e1 = axes * c.e1;
     c.e2 = axes * c.e2;
@@ -110,8 +104,8 @@ Array<Curvature> fit_vertices(const Surface& surface, const Neighbors& neighbors
             put_on_planes(look.heights, look.planes, options.even, wide);
             const auto fits = fit_heights(options.degree, look.heights, wide);
             for (std::size_t lane = 0; lane < filled; ++lane)
-                if (const double scale = look.planes.scale[lane]; scale > 0.0)
-                    result[of_lane[lane]] = to_object(curvature_of(jet_of(fits[lane].a)), look.frames[lane], scale);
+                if (look.planes.scale[lane] > 0.0)
+                    result[of_lane[lane]] = to_object(curvature_of(jet_of(fits[lane].a)), look.planes, lane);
         }
     });
     return result;

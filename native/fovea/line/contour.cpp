@@ -8,6 +8,7 @@
 #include <algorithm>
 
 #include <fovea/line/edges.h>
+#include <fovea/line/outlines.h>
 
 namespace fovea::line {
 namespace {
@@ -33,7 +34,7 @@ extern const LineDefinition contour = {
     .description =
         "Where a surface turns away from the viewer: edges between front and back faces. Freestyle calls it Silhouette",
     .scope = Scope::view,
-    .importance = 0.85,
+    .importance = outline_importance,
     .rule = EdgeRule{mark},
     .smooth_twin = &smooth_contour,
     .outlines = true,

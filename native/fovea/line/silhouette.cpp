@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include <fovea/line/edges.h>
+#include <fovea/line/outlines.h>
 
 namespace fovea::line {
 
@@ -83,7 +84,7 @@ extern const LineDefinition silhouette = {
     .description =
         "The outer boundary of an object, against the background or another object. Freestyle calls it Contour",
     .scope = Scope::scene,
-    .importance = 0.85,
+    .importance = outline_importance,
     .rule = EdgeRule{mark, &contour},
     .smooth_twin = &smooth_silhouette,
     .slow = true,

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 
+#include <fovea/line/outlines.h>
 #include <fovea/scene/bodies.h>
 
 namespace fovea::line {
@@ -77,7 +78,7 @@ extern const LineDefinition smooth_contour = {
     .source = "Hertzmann & Zorin 2000, section 4; Cole 2009, section 2.2",
     .description = "The contour of the smooth surface that a mesh stands for, across its faces",
     .scope = Scope::view,
-    .importance = 0.85,
+    .importance = outline_importance,
     .parameters = parameters,
     .rule = CurveRule{CurveType::contour, parameters.of(find), parameters.of(select)},
     .outlines = true,

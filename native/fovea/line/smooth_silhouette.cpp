@@ -5,6 +5,7 @@
 // In   the smooth contour; a ray next to the middle of each of its pieces
 // Out  the pieces behind which neither the same placement nor one of its group continues, and which a closed surface
 //      does not surely hide itself, as it does the contour of its inside
+#include <fovea/line/outlines.h>
 #include <fovea/line/smooth_contour.h>
 
 namespace fovea::line {
@@ -45,7 +46,7 @@ extern const LineDefinition smooth_silhouette = {
         "The outer boundary of the smooth surface that a mesh stands for, "
         "against the background or another object",
     .scope = Scope::scene,
-    .importance = 0.85,
+    .importance = outline_importance,
     .rule = CurveRule{CurveType::contour, find, select, &smooth_contour},
     .slow = true,
     .stand_ins = {{&smooth_contour, {{"end_at_cusps", 0.0}}}},

@@ -31,12 +31,11 @@ struct OpenEdge {
 /// The open edges, those in one place beside each other: where a mesh is split along texture seams and hard edges, as
 /// files for games are, the surface goes on. Without those of no length.
 Array<OpenEdge> open_edges(const Surface& surface, In<std::uint8_t> hides) {
-    Array<OpenEdge> open = parallel_collect<OpenEdge>(surface.edges.size(), block,
-                                                      [&](std::size_t begin, std::size_t end, Array<OpenEdge>& out) {
-                                                          for (Index e = Index(begin); e < end; ++e)
-                                                              if (!is_balanced(surface, e, hides))
-                                                                  out.push_back({surface.edges[e], e, false});
-                                                      });
+    const auto find = [&](std::size_t begin, std::size_t end, Array<OpenEdge>& out) {
+        for (Index e = Index(begin); e < end; ++e)
+            if (!is_balanced(surface, e, hides)) out.push_back({surface.edges[e], e, false});
+    };
+    Array<OpenEdge> open = parallel_collect<OpenEdge>(surface.edges.size(), block, find);
     Array<Index> vertices;
     for (const OpenEdge& o : open) vertices.insert(vertices.end(), {o.ends.x, o.ends.y});
     const auto position = [&](Index v) {

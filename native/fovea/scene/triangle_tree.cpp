@@ -31,20 +31,11 @@ bool coincide(const Surface& surface, Index a, Index b) {
     return true;
 }
 
-/// A triangle, and a corner of its box, which tells most that differ.
-struct Place {
-    Index triangle = none;
-    vec3 least{0.0f};
-
-    Place() = default;
-    Place(const Surface& surface, Index of) : triangle(of) {
-        const Triangle& t = surface.triangles[of];
-        least = glm::min(surface.positions[t.x], glm::min(surface.positions[t.y], surface.positions[t.z]));
-    }
-    bool coincides(const Surface& surface, const Place& other) const {
-        return least == other.least && coincide(surface, triangle, other.triangle);
-    }
-};
+/// The corner of a triangle's box with the least coordinates.
+vec3 least_corner(const Surface& surface, Index triangle) {
+    const Triangle& t = surface.triangles[triangle];
+    return glm::min(surface.positions[t.x], glm::min(surface.positions[t.y], surface.positions[t.z]));
+}
 
 /// Of triangles that coincide, leaves out those beyond the `crowd` first. In Morton order they follow each other, with
 /// others of the same box between them at most, so each is held against the last few that differ.
@@ -58,25 +49,27 @@ void leave_out_repeated(const Surface& surface, Array<Index>& order) {
         last.fill(vec3(infinity));
         bool met = false;
         for (std::size_t i = begin - std::min(begin, last_few); i < end; ++i) {
-            const vec3 least = Place(surface, order[i]).least;
+            const vec3 least = least_corner(surface, order[i]);
             for (const vec3& other : last) met |= least == other;
             last[i % last_few] = least;
         }
         if (met) any.store(true, std::memory_order_relaxed);
     });
     if (!any) return;
-    struct Met : Place {
-        using Place::Place;
-        int times = 0;
+    struct Place {
+        Index triangle = none;
+        vec3 least{0.0f};  // tells most that differ
+        int met = 0;
     };
-    std::array<Met, last_few> last;
+    std::array<Place, last_few> last;
     std::size_t kept = 0, next = 0;
     for (const Index triangle : order) {
-        const Place place(surface, triangle);
-        const auto met = std::ranges::find_if(
-            last, [&](const Met& met) { return met.triangle != none && place.coincides(surface, met); });
-        if (met == last.end()) last[next++ % last.size()] = {surface, triangle};
-        if (met == last.end() || ++met->times < crowd) order[kept++] = triangle;
+        const vec3 least = least_corner(surface, triangle);
+        const auto place = std::ranges::find_if(last, [&](const Place& place) {
+            return place.least == least && place.triangle != none && coincide(surface, place.triangle, triangle);
+        });
+        if (place == last.end()) last[next++ % last.size()] = {triangle, least, 0};
+        if (place == last.end() || ++place->met < crowd) order[kept++] = triangle;
     }
     order.resize(kept);
 }

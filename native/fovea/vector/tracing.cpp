@@ -143,7 +143,7 @@ Look Tracing::dashed(const Mark& mark) const {
 }
 
 /// Where dashes that are fixed to the path begin and end, in lengths along the mark.
-std::vector<dvec2> Tracing::divided(const Mark& mark) const {
+std::vector<dvec2> Tracing::divided(const Mark& mark, const Look& look) const {
     const PenTexture& texture = grain_of(mark).dividing;
     const float repetition_px = pen_of(mark).texture_length_px;
     std::vector<dvec2> dashes;
@@ -167,7 +167,7 @@ std::vector<dvec2> Tracing::divided(const Mark& mark) const {
     }
     if (before >= 0.5) dashes.back().y = along;
     // Half discs at both ends of dashes are as long as the pen is wide.
-    const double cut = grain_of(mark).round ? 0.5 * mean_width(mark) : 0.0;
+    const double cut = look.round_caps ? 0.5 * look.width : 0.0;
     for (dvec2& dash : dashes) {
         if (dash.x > 0.0) dash.x += cut;
         if (dash.y < along) dash.y -= cut;
@@ -191,7 +191,7 @@ std::vector<Mark> Tracing::dashes_of(const Mark& mark) const {
     const double length = length_of(mark.points), least = 0.01 * look.width;
     Parts parts(mark);
     std::vector<Mark> dashes;
-    for (const dvec2& dash : divide ? divided(mark) : repeated(look, length)) {
+    for (const dvec2& dash : divide ? divided(mark, look) : repeated(look, length)) {
         // A dot is a dash that is next to nothing long.
         const double more = 0.5 * std::max(least - (dash.y - dash.x), 0.0);
         Mark part = parts.dash(std::max(dash.x - more, 0.0), std::min(dash.y + more, length));

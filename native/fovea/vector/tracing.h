@@ -26,7 +26,7 @@ class Tracing {
 
    private:
     Look dashed(const Mark& mark) const;
-    std::vector<dvec2> divided(const Mark& mark) const;
+    std::vector<dvec2> divided(const Mark& mark, const Look& look) const;
     static std::vector<dvec2> repeated(const Look& look, double length);
     const Pen& pen_of(const Mark& mark) const { return inking_.pens[inking_.pen_of_run[mark.run]]; }
     const Grain& grain_of(const Mark& mark) const { return grains_[inking_.pen_of_run[mark.run]]; }
