@@ -3,6 +3,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
+#include <fovea/draw/polylines.h>
 #include <fovea/vector/center_lines.h>
 #include <fovea/vector/compose.h>
 
@@ -129,6 +130,21 @@ TEST(OverFrames, ABarOfOneFrameLeavesMostOfTheInk) {
         EXPECT_NEAR(ink_along(*middle_of(frames, style_of(frames), blink(frames)))[width / 2], 1.0 - 0.25 / frames,
                     0.01);
     }
+}
+
+TEST(OverFrames, DrawnPolylinesGoOnWhereABarOfOneFrameHidesTheLine) {
+    const auto frame = middle_of(2, style_of(2), [](int k) { return k == 0 ? std::optional(0.0) : std::nullopt; });
+    const auto ends_under_the_bar = [&](bool drawn) {
+        const Polylines lines = polylines_of(*frame, drawn);
+        EXPECT_EQ(lines.pen.size(), lines.path.size());
+        std::size_t ends = 0;
+        for (std::size_t r = 0; r < lines.path.size(); ++r)
+            for (const auto i : {lines.rows.begin(r), lines.rows.end(r) - 1})
+                ends += std::abs(units_of(lines.px[i]).x) < 0.2;
+        return ends;
+    };
+    EXPECT_EQ(ends_under_the_bar(false), 4u) << "of two edges";
+    EXPECT_EQ(ends_under_the_bar(true), 0u);
 }
 
 TEST(OverFrames, LinesShrinkBreakUpOrRetractInstead) {

@@ -137,6 +137,14 @@ TEST(Runs, WithTheirHiddenPartsCoverEveryPiece) {
     EXPECT_EQ(with_hidden(clipped, visible, std::vector<Index>{0, none}).size(), 4u) << "lines of the image";
 }
 
+TEST(Runs, WhoseEndsCoincideAreNone) {
+    Runs runs;
+    runs.push(0, 1.0, 1.0 + 0.5 * same_place_px);
+    runs.push(0, 1.0, 1.0 + 2.0 * same_place_px);
+    runs.push(0, 3.0, std::nan(""));
+    EXPECT_EQ(runs.end_px, Array<double>{1.0 + 2.0 * same_place_px});
+}
+
 TEST(Runs, AreFiniteWhateverTheSamples) {
     const ClippedPaths clipped = pieces_of({{100}, {50, 3}});
     std::mt19937 random(9);

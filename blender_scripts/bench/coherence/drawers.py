@@ -59,7 +59,7 @@ class Fovea(renderers.Fovea):
         self.kept, self.image = frames[-1], images[-1].combined
 
     def polylines(self, view):
-        found = self.kept.polylines()
+        found = self.kept.polylines(drawn=True)
         drawn = np.asarray(found.invisibility) == 0
         sizes = np.diff(found.offsets)
         inside = np.repeat(drawn, sizes)

@@ -48,11 +48,17 @@ Array<float> means_over(const ClippedPaths& clipped, const CompactRuns& lines, I
     return means;
 }
 
-Polylines polylines_of(Frame& frame) {
-    frame.thin();
-    Polylines found{compact(*frame.clipped, *frame.paths, *frame.runs), {}, {}};
-    const Pens pens = pens_of(frame.job.style, *frame.job.assets, frame.scale());
-    found.pen = pens_of_runs(*frame.clipped, *frame.runs, frame.paths->line_set, pens.ranges);
+Polylines polylines_of(Frame& frame, bool drawn) {
+    drawn ? frame.shape() : frame.thin();
+    const Runs& runs = drawn ? *frame.drawn : *frame.runs;
+    Polylines found{compact(*frame.clipped, *frame.paths, runs), {}, {}};
+    if (drawn) {
+        const In<Index> pens = frame.inking(frame.shown).pen_of_run;
+        found.pen.assign(pens.begin(), pens.end());
+    } else {
+        const Pens pens = pens_of(frame.job.style, *frame.job.assets, frame.scale());
+        found.pen = pens_of_runs(*frame.clipped, runs, frame.paths->line_set, pens.ranges);
+    }
     if (frame.shown.empty())
         found.shown.assign(found.path.size(), 1.0f);
     else

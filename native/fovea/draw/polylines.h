@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A frame's runs that pens draw, visible and hidden, as polylines, without haloes and overshoot.
+// A frame's runs that pens draw, visible and hidden, as polylines.
 #pragma once
 
 #include <fovea/draw/frame.h>
@@ -16,8 +16,9 @@ struct Polylines : CompactRuns {
         Column{"shown", &Polylines::shown, "(R,) float32 in [0, 1] that elision leaves"}};
 };
 
-/// Runs a frame's steps up to thin().
-Polylines polylines_of(Frame& frame);
+/// Lines before haloes and overshoot; runs a frame's steps up to thin(). `drawn`: as strokes draw them, with these, and
+/// with what is seen in frames near by; up to shape().
+Polylines polylines_of(Frame& frame, bool drawn = false);
 
 /// Per run of `lines`: mean of the per-atlas-sample `values` over it; for a run between two samples, the value there.
 Array<float> means_over(const ClippedPaths& clipped, const CompactRuns& lines, In<float> values);

@@ -12,9 +12,6 @@ struct Span {
     double length() const { return end - begin; }
 };
 
-/// Ends of runs and of pieces closer than this coincide.
-inline constexpr double same_place_px = 1e-6;
-
 /// Joins each span with the one before it where touch(before, span).
 template <typename Touch>
 void join_spans(std::vector<Span>& spans, const Touch& touch) {

@@ -48,8 +48,7 @@ class Forks {
         cut_ = runs_;
         for (Junction& junction : junctions) remove_arms(junction);
         Runs left;
-        for (std::size_t r = 0; r < cut_.size(); ++r)
-            if (cut_.end_px[r] - cut_.start_px[r] > same_place_px) left.push(cut_, r);
+        for (std::size_t r = 0; r < cut_.size(); ++r) left.push(cut_, r);
         return left;
     }
 

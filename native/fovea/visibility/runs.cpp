@@ -40,7 +40,7 @@ void find_runs(const ClippedPaths& clipped, In<float> visibility, float threshol
 }  // namespace
 
 void Runs::push(Index of, double start, double end, std::uint8_t hidden_by) {
-    if (end <= start) return;
+    if (!(end - start > same_place_px)) return;
     piece.push_back(of);
     start_px.push_back(start);
     end_px.push_back(end);

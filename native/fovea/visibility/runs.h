@@ -8,6 +8,9 @@
 
 namespace fovea::visibility {
 
+/// Ends of runs and of pieces closer than this coincide.
+inline constexpr double same_place_px = 1e-6;
+
 /// Intervals of pieces, sorted by piece, then by start, disjoint. start < end, in pixels of the piece's own arc_px; a
 /// run that overshoots its line starts before the piece or ends after it, where the line is continued straight. Methods
 /// of visibility return visible runs only; `with_hidden` adds the hidden ones.
@@ -24,7 +27,7 @@ struct Runs {
                "counted; 0: visible"}};
 
     std::size_t size() const { return piece.size(); }
-    /// Appends a run, unless it is empty.
+    /// Appends a run, unless its ends coincide.
     void push(Index of, double start, double end, std::uint8_t hidden_by = 0);
     /// Appends a copy of run number `run` of `others`.
     void push(const Runs& others, std::size_t run) {
