@@ -21,9 +21,13 @@ constexpr double least_share = 0.42;                  // of the area
 const double fitting = cosine(glm::radians(25.0));
 constexpr double most_unfit = 0.13;   // of the area
 constexpr double least_inside = 0.3;  // of the area
-/// Of larger surfaces a part of the triangles is looked at: runs of so many, as those of a run have vertices in common.
-constexpr std::size_t run_of_triangles = 64;
-constexpr std::size_t most_triangles = 100'000, most_fitted = 10'000;
+/// Of surfaces of more triangles than `all` about `some` are looked at: runs of so many, as those of a run have vertices
+/// in common.
+constexpr std::size_t run_of_triangles = 32;
+struct Looks {
+    std::size_t all, some;
+};
+constexpr Looks for_rounding{100'000, 50'000}, for_fits{10'000, 10'000};
 
 /// An edge between two facets; length 0: another edge.
 struct Bend {
@@ -76,10 +80,11 @@ struct Around {
     }
 };
 
-/// The triangles that are looked at, if at most so many are: every first, second, third ... run of them.
+/// The triangles that are looked at: every first, second, third ... run of them.
 struct Looked {
-    Looked(const Surface& surface, std::size_t most)
-        : step(surface.triangles.size() / most + 1), end(surface.triangles.size()) {}
+    Looked(const Surface& surface, const Looks& looks) : step(1), end(surface.triangles.size()) {
+        if (end > looks.all) step = end / looks.some + 1;
+    }
     /// Number of the i-th of them; `end` or more: there are no more.
     std::size_t operator[](std::size_t i) const {
         return i / run_of_triangles * step * run_of_triangles + i % run_of_triangles;
@@ -92,8 +97,8 @@ struct Looked {
 
 /// Vertices of the triangles that are looked at.
 struct Sample {
-    explicit Sample(const Surface& surface, std::size_t most = most_triangles) : slot(surface.vertex_count(), none) {
-        const Looked looked(surface, most);
+    Sample(const Surface& surface, const Looks& looks) : slot(surface.vertex_count(), none) {
+        const Looked looked(surface, looks);
         for (std::size_t i = 0; looked[i] < looked.end; ++i)
             for (int k = 0; k < 3; ++k) slot[surface.triangles[looked[i]][k]] = 0;
         for (Index& own : slot)
@@ -163,8 +168,8 @@ struct Rounded {
 
 /// values(t) of each triangle that is looked at, summed up.
 template <typename Values>
-dvec2 sum_of_triangles(const Surface& surface, std::size_t most, const Values& values) {
-    const Looked looked(surface, most);
+dvec2 sum_of_triangles(const Surface& surface, const Looks& looks, const Values& values) {
+    const Looked looked(surface, looks);
     dvec2 sum(0.0);
     for (const dvec2& part : parallel_map<dvec2>(looked.count(), [&](std::size_t i) {
              return looked[i] < looked.end ? dvec2(values(surface.triangles[looked[i]])) : dvec2(0.0);
@@ -174,7 +179,7 @@ dvec2 sum_of_triangles(const Surface& surface, std::size_t most, const Values& v
 }
 
 Rounded rounded_part(const Surface& surface) {
-    const Sample sample(surface);
+    const Sample sample(surface, for_rounding);
     const Array<Around> around = sum_up(surface, sample);
     const auto is_rounded =
         parallel_map<std::uint8_t>(around.size(), [&](std::size_t v) { return around[v].is_rounded(); });
@@ -187,7 +192,7 @@ Rounded rounded_part(const Surface& surface) {
         turn += at.area * at.mean_turn();
     }
     // Areas of triangles, and of those with rounded corners only.
-    const dvec2 areas = sum_of_triangles(surface, most_triangles, [&](const Triangle& t) {
+    const dvec2 areas = sum_of_triangles(surface, for_rounding, [&](const Triangle& t) {
         const double size = glm::length(area_vector(surface.positions, t));
         const auto has_rounded = [&](int k) { return is_rounded[sample.slot[t[k]]]; };
         return dvec2(size, has_rounded(0) && has_rounded(1) && has_rounded(2) ? size : 0.0);
@@ -198,10 +203,10 @@ Rounded rounded_part(const Surface& surface) {
 
 /// Share of the area of triangles that a fitted normal at one of their corners is off by more than 25 degrees.
 double unfit_share(const Surface& surface) {
-    const Sample sample(surface, most_fitted);
+    const Sample sample(surface, for_fits);
     const Array<vec3> normals = fitted_normals(surface, sample.vertices());
     // Areas of triangles, and of those that do not fit.
-    const dvec2 areas = sum_of_triangles(surface, most_fitted, [&](const Triangle& t) {
+    const dvec2 areas = sum_of_triangles(surface, for_fits, [&](const Triangle& t) {
         const dvec3 normal = area_vector(surface.positions, t);
         const double size = glm::length(normal);
         double least = size;

@@ -24,6 +24,15 @@ vec4 plane_through(const dvec3& area, const dvec3& point) {
     return vec4(vec3(n), static_cast<float>(glm::dot(n, point)));
 }
 
+/// std::stable_sort, without the memory that it asks for each time, where there is little to sort.
+template <typename T, typename Less>
+void sort_few(std::vector<T>& values, const Less& less) {
+    constexpr std::size_t few = 32;
+    if (values.size() > few) return std::stable_sort(values.begin(), values.end(), less);
+    for (std::size_t i = 1; i < values.size(); ++i)
+        for (std::size_t j = i; j > 0 && less(values[j], values[j - 1]); --j) std::swap(values[j], values[j - 1]);
+}
+
 }  // namespace
 
 void Surface::build_geometry() {
@@ -206,7 +215,7 @@ void Surface::split_bent_polygon(Index f, std::vector<TriangleSide>& sides, Arra
     for (Index i = 0; i < corners; ++i) add(corner_verts_[c0 + i], corner_verts_[c0 + (i + 1) % corners], none, c0 + i);
     for (Index t = polygon_triangles_.begin(f); t < polygon_triangles_.end(f); ++t)
         for (int i = 0; i < 3; ++i) add(triangles[t][i], triangles[t][(i + 1) % 3], triangle_facet[t], none);
-    std::stable_sort(sides.begin(), sides.end(), [](const TriangleSide& a, const TriangleSide& b) {
+    sort_few(sides, [](const TriangleSide& a, const TriangleSide& b) {
         return std::tie(a.low, a.high) < std::tie(b.low, b.high);
     });
     for (std::size_t i = 0; i + 1 < sides.size(); ++i) {

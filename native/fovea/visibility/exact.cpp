@@ -9,6 +9,9 @@
 namespace fovea::visibility {
 namespace {
 
+/// Of pieces, of which a scene may have very many short ones or few long ones.
+constexpr std::size_t points_per_block = 512;
+
 /// Computes visibility along consecutive segments, with a cache of recent occluders.
 class Marcher {
    public:
@@ -91,6 +94,22 @@ void add_visible(Index piece, double start, double end, Runs& runs) {
         runs.push(piece, start, end);
 }
 
+/// Calls visit(piece, segment) for the segments of rows of points whose first points are `begin` to before `end`.
+template <typename Visit>
+void each_segment(const Rows& pieces, std::size_t begin, std::size_t end, const Visit& visit) {
+    const auto after = std::ranges::upper_bound(pieces.offsets, Index(begin));
+    for (Index q = Index(after - pieces.offsets.begin()) - 1; q < pieces.count() && pieces.begin(q) < end; ++q)
+        for (Index i = std::max(pieces.begin(q), Index(begin)); i + 1 < pieces.end(q) && i < end; ++i) visit(q, i);
+}
+
+/// The runs of blocks of points, in order: one that goes on in the next block is one.
+Runs joined(const std::vector<Runs>& parts) {
+    Runs all;
+    for (const Runs& part : parts)
+        for (std::size_t r = 0; r < part.size(); ++r) add_visible(part.piece[r], part.start_px[r], part.end_px[r], all);
+    return all;
+}
+
 /// Adds to runs of the first pieces of crowds (first_of_crowds) those of all others.
 Runs with_crowds(const ClippedPaths& clipped, const Runs& asked, In<Index> first) {
     const Rows rows = runs_of_pieces(clipped, asked);
@@ -124,29 +143,26 @@ Runs exact_visibility(const ClippedPaths& clipped, const Paths& paths, const Tra
     check_same_paths(clipped, paths, "exact_visibility");
     tracer.check_current();
     const Array<Index> first = first_of_crowds(clipped, paths, tracer);
-    const Runs asked =
-        runs_by_blocks(clipped.path.size(), pieces_per_block, [&](Runs& runs, std::size_t begin, std::size_t end) {
-            cancel.poll();
-            Marcher marcher(tracer);
-            std::vector<Interval> hidden;
-            for (Index q = Index(begin); q < end; ++q) {
-                if (!first.empty() && first[q] != q) continue;
-                const bool in_image = paths.placement[clipped.path[q]] == none;
-                for (Index i = clipped.pieces.begin(q); i + 1 < clipped.pieces.end(q); ++i) {
-                    const Index samples = clipped.sample_count[i];
-                    if (samples == 0) continue;
-                    const double arc = clipped.arc_px[i], last = clipped.arc_px[i + 1], length = last - arc;
-                    hidden.clear();
-                    if (!in_image) marcher.march(segment_at(clipped, paths, tracer, q, i), samples, length, hidden);
-                    double from = arc;
-                    for (const Interval& gap : hidden) {
-                        add_visible(q, from, arc + gap.begin * length, runs);
-                        from = gap.end < 1.0 ? arc + gap.end * length : last;
-                    }
-                    add_visible(q, from, last, runs);
-                }
+    const auto parts = parallel_parts<Runs>(clipped.px.size(), points_per_block, [&](Runs& runs, auto begin, auto end) {
+        cancel.poll();
+        Marcher marcher(tracer);
+        std::vector<Interval> hidden;
+        each_segment(clipped.pieces, begin, end, [&](Index q, Index i) {
+            const Index samples = clipped.sample_count[i];
+            if (samples == 0 || (!first.empty() && first[q] != q)) return;
+            const double arc = clipped.arc_px[i], last = clipped.arc_px[i + 1], length = last - arc;
+            hidden.clear();
+            if (paths.placement[clipped.path[q]] != none)
+                marcher.march(segment_at(clipped, paths, tracer, q, i), samples, length, hidden);
+            double from = arc;
+            for (const Interval& gap : hidden) {
+                add_visible(q, from, arc + gap.begin * length, runs);
+                from = gap.end < 1.0 ? arc + gap.end * length : last;
             }
+            add_visible(q, from, last, runs);
         });
+    });
+    const Runs asked = joined(parts);
     return first.empty() ? asked : with_crowds(clipped, asked, first);
 }
 
