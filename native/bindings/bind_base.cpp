@@ -46,7 +46,7 @@ void bind_base(py::module_& m) {
         [](const py::array& array) {
             check(array.flags() & py::array::c_style, "content_hash: a contiguous array is needed");
             const auto size = static_cast<std::size_t>(array.nbytes());
-            return without_gil([data = array.data(), size] { return hash_bytes(data, size); });
+            return without_gil([data = array.data(), size] { return hash_many_bytes(data, size); });
         },
         py::arg("array"), "64-bit hash of an array's bytes.");
 }

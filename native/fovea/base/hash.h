@@ -13,6 +13,9 @@ namespace fovea::base {
 /// 64-bit hash of bytes (XXH3).
 std::uint64_t hash_bytes(const void* data, std::size_t size, std::uint64_t seed = 0);
 
+/// The same of many bytes, in parallel: another number than hash_bytes has.
+std::uint64_t hash_many_bytes(const void* data, std::size_t size);
+
 template <typename T>
 std::uint64_t hash_of(std::span<const T> values, std::uint64_t seed = 0) {
     return hash_bytes(values.data(), values.size_bytes(), seed);

@@ -5,7 +5,6 @@
 #pragma once
 
 #include <algorithm>
-#include <atomic>
 #include <cstddef>
 #include <functional>
 #include <tbb/blocked_range.h>
@@ -17,6 +16,7 @@
 
 #include <fovea/base/cancel.h>
 #include <fovea/base/fork_join.h>
+#include <fovea/base/threads.h>
 #include <fovea/base/types.h>
 
 namespace fovea::base {
@@ -81,6 +81,18 @@ Array<T> parallel_collect(std::size_t count, std::size_t size, const Body& body)
     return all;
 }
 
+/// Number of the elements i of `count` for which is(i).
+template <typename Is>
+std::size_t parallel_count(std::size_t count, const Is& is) {
+    std::size_t all = 0;
+    for (const std::size_t part : parallel_parts<std::size_t>(
+             count, 1 << 14, [&](std::size_t& sum, std::size_t begin, std::size_t end) {
+                 for (std::size_t i = begin; i < end; ++i) sum += is(i) ? 1 : 0;
+             }))
+        all += part;
+    return all;
+}
+
 /// Calls first() and second(), possibly concurrently.
 template <typename First, typename Second>
 void parallel_invoke(const First& first, const Second& second) {
@@ -138,35 +150,33 @@ Lists<Index> lists_from(Array<Index> counts, const First& first) {
     return lists;
 }
 
-/// Builds `count` lists of values. each(give) must call give(list, value) for every value; lists keep that order.
-/// `each` runs twice (once to count, once to fill) and must make the same calls both times. count_up(number) adds one
-/// and returns the number before; atomically, if `each` makes calls at the same time, whose order is then lost.
-template <typename T, typename Each, typename CountUp>
-Lists<T> lists_of(std::size_t count, const Each& each, const CountUp& count_up) {
+/// Builds `count` lists of values. each(give) must call give(list, value) for every value; lists keep that order. `each`
+/// must make the same calls whenever it runs: once to count, once to fill.
+template <typename T, typename Each>
+Lists<T> lists_of(std::size_t count, const Each& each) {
     Lists<T> lists;
     lists.offsets.assign(count, 0);
-    each([&](std::size_t list, const T&) { count_up(lists.offsets[list]); });
+    each([&](std::size_t list, const T&) { ++lists.offsets[list]; });
     counts_to_offsets(lists.offsets);
     lists.values.resize(lists.offsets.back());
     Array<Index> next(lists.offsets.begin(), lists.offsets.end() - 1);
-    each([&](std::size_t list, const T& value) { lists.values[count_up(next[list])] = value; });
+    each([&](std::size_t list, const T& value) { lists.values[next[list]++] = value; });
     return lists;
 }
 
+/// The same in parallel: each thread makes all calls, and takes those for a range of the lists. For calls that cost
+/// little beside the memory of the lists.
 template <typename T, typename Each>
-Lists<T> lists_of(std::size_t count, const Each& each) {
-    return lists_of<T>(count, each, [](Index& number) { return number++; });
-}
-
-/// The same in parallel: visit(i, give) makes the calls for element i of `count`. Lists are in ascending order by
-/// `less`, which must be total, so that the order of filling does not matter.
-template <typename T, typename Visit, typename Less = std::less<>>
-Lists<T> sorted_lists_of(std::size_t size, std::size_t count, const Visit& visit, const Less& less = {}) {
-    const auto each = [&](const auto& give) { parallel_for(count, [&](std::size_t i) { visit(i, give); }); };
-    const auto count_up = [](Index& number) { return std::atomic_ref(number).fetch_add(1, std::memory_order_relaxed); };
-    Lists<T> lists = lists_of<T>(size, each, count_up);
-    parallel_for(size, [&](std::size_t k) { std::ranges::sort(lists[Index(k)], less); });
-    return lists;
+Lists<T> lists_of_ranges(std::size_t count, const Each& each) {
+    const std::size_t ranges = std::clamp<std::size_t>(count / 4096, 1, std::size_t(std::min(threads_at_hand(), 8)));
+    return lists_of<T>(count, [&](const auto& give) {
+        parallel_for(ranges, 1, [&](std::size_t k) {
+            const std::size_t begin = k * count / ranges, end = (k + 1) * count / ranges;
+            each([&](std::size_t list, const T& value) {
+                if (begin <= list && list < end) give(list, value);
+            });
+        });
+    });
 }
 
 }  // namespace fovea::base

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fovea/base/threads.h>
 
+#include <algorithm>
 #include <memory>
 #include <tbb/global_control.h>
+#include <tbb/task_arena.h>
 
 #include <fovea/base/check.h>
 
@@ -17,5 +19,7 @@ void limit_threads(int most) {
 }
 
 int thread_limit() { return int(tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism)); }
+
+int threads_at_hand() { return std::min(thread_limit(), tbb::this_task_arena::max_concurrency()); }
 
 }  // namespace fovea::base

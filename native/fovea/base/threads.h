@@ -14,4 +14,7 @@ void limit_threads(int most);
 /// The limit in force.
 int thread_limit();
 
+/// Number of threads that the caller's loops may use: as many as the limit and its arena allow.
+int threads_at_hand();
+
 }  // namespace fovea::base

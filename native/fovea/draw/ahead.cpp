@@ -24,7 +24,7 @@ Ahead::Ahead(const style::Style& style, std::shared_ptr<const Cancel> cancel) : 
 }
 
 void Ahead::add(std::shared_ptr<const Surface> surface) {
-    if (std::min(thread_limit(), tbb::this_task_arena::max_concurrency()) < 2) return;
+    if (base::threads_at_hand() < 2) return;
     if (surface->triangles.size() > most_triangles) return;
     const auto& call = *calls_.emplace_back(std::make_unique<const base::ForkJoin>());
     arena_.enqueue(group_.defer([this, surface = std::move(surface), &call]() FOVEA_TBB_HANDS_OVER {

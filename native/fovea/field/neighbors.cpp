@@ -134,16 +134,19 @@ Array<Index> kept_triangles(const Surface& surface, const Lists<Index>& hard_end
 Neighbors find_neighbors(const Surface& surface, double hard_angle) {
     Neighbors result;
     const Index count = surface.vertex_count();
-    Lists<Index> around = sorted_lists_of<Index>(count, surface.triangles.size(), [&](std::size_t t, const auto& give) {
-        for (int i = 0; i < 3; ++i) give(surface.triangles[t][i], Index(t));
+    Lists<Index> around = lists_of_ranges<Index>(count, [&](const auto& give) {
+        for (Index t = 0; t < surface.triangles.size(); ++t)
+            for (int i = 0; i < 3; ++i) give(surface.triangles[t][i], t);
     });
     result.hard.assign(count, 0);
     if (hard_angle < no_hard_edges) {
         const Array<std::uint8_t> is_hard = HardEdges(surface, around, hard_angle).find();
-        const auto ends = sorted_lists_of<Index>(count, is_hard.size(), [&](std::size_t e, const auto& give) {
-            if (!is_hard[e]) return;
-            give(surface.edges[e].x, surface.edges[e].y);
-            give(surface.edges[e].y, surface.edges[e].x);
+        const auto ends = lists_of_ranges<Index>(count, [&](const auto& give) {
+            for (std::size_t e = 0; e < is_hard.size(); ++e) {
+                if (!is_hard[e]) continue;
+                give(surface.edges[e].x, surface.edges[e].y);
+                give(surface.edges[e].y, surface.edges[e].x);
+            }
         });
         parallel_for(count, [&](std::size_t v) { result.hard[v] = ends.size(Index(v)) > 0; });
         result.triangles =

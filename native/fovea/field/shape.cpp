@@ -134,7 +134,7 @@ Array<Around> sum_up(const Surface& surface, const Sample& sample) {
         return area_vector(surface.positions, surface.triangles[triangles[i]]) / 6.0;
     });
     const auto at_slots = [&](std::size_t count, const auto& corners_of) {
-        return lists_of<Index>(sample.count, [&](const auto& give) {
+        return lists_of_ranges<Index>(sample.count, [&](const auto& give) {
             for (Index i = 0; i < count; ++i)
                 corners_of(i, [&](Index v) {
                     if (sample.slot[v] != none) give(sample.slot[v], i);

@@ -196,12 +196,12 @@ void Surface::take_topology(const MeshArrays& mesh) {
 }
 
 void Surface::build_edge_corners() {
-    edge_corners_ = lists_of<Index>(mesh_edges, [&](const auto& give) {
+    edge_corners_ = lists_of_ranges<Index>(mesh_edges, [&](const auto& give) {
         for (Index c = 0; c < corner_edges_.size(); ++c)
             if (corner_edges_[c] != none) give(corner_edges_[c], c);
     });
-    report_.loose_edges = 0;
-    for (Index e = 0; e < mesh_edges; ++e) report_.loose_edges += edge_corners_.size(e) == 0;
+    report_.loose_edges =
+        static_cast<Index>(parallel_count(mesh_edges, [&](std::size_t e) { return edge_corners_.size(Index(e)) == 0; }));
 }
 
 }  // namespace fovea::mesh

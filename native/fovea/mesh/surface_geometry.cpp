@@ -102,7 +102,7 @@ Array<Surface::Outline> Surface::find_degenerate(Array<std::uint8_t>& skip) {
     });
     report_.degenerate_polygons = static_cast<Index>(std::count(skip.begin(), skip.end(), 1));
     report_.non_finite_vertices =
-        static_cast<Index>(std::count_if(positions.begin(), positions.end(), [](const vec3& p) { return !finite(p); }));
+        static_cast<Index>(parallel_count(positions.size(), [&](std::size_t v) { return !finite(positions[v]); }));
     return outlines;
 }
 
@@ -268,12 +268,12 @@ void Surface::build_edge_sides(const Array<std::uint8_t>& skip) {
         edge_sides[offsets[next]] = d.first;
         edge_sides[offsets[next++] + 1] = d.second;
     }
-    report_.non_manifold_edges = report_.inconsistent_edges = 0;
-    for (Index e = 0; e < mesh_edges; ++e) {
-        const Index sides = edge_rows.size(e), begin = edge_rows.begin(e);
-        report_.non_manifold_edges += sides > 2;
-        report_.inconsistent_edges += sides == 2 && edge_sides[begin].forward() == edge_sides[begin + 1].forward();
-    }
+    report_.non_manifold_edges =
+        static_cast<Index>(parallel_count(mesh_edges, [&](std::size_t e) { return edge_rows.size(Index(e)) > 2; }));
+    report_.inconsistent_edges = static_cast<Index>(parallel_count(mesh_edges, [&](std::size_t e) {
+        const In<EdgeSide> of = sides(Index(e));
+        return of.size() == 2 && of[0].forward() == of[1].forward();
+    }));
 }
 
 void Surface::sort_occluding() {
@@ -294,11 +294,21 @@ void Surface::sort_occluding() {
 }
 
 void Surface::bound() {
-    vec3 low(std::numeric_limits<float>::max()), high(std::numeric_limits<float>::lowest());
-    for (Index v = 0; v < vertex_count(); ++v) {
-        if (!finite(positions[v])) continue;
-        low = glm::min(low, positions[v]);
-        high = glm::max(high, positions[v]);
+    struct Bounds {
+        vec3 low{std::numeric_limits<float>::max()}, high{std::numeric_limits<float>::lowest()};
+    };
+    const auto parts =
+        parallel_parts<Bounds>(vertex_count(), 1 << 14, [&](Bounds& part, std::size_t begin, std::size_t end) {
+            for (std::size_t v = begin; v < end; ++v) {
+                if (!finite(positions[v])) continue;
+                part.low = glm::min(part.low, positions[v]);
+                part.high = glm::max(part.high, positions[v]);
+            }
+        });
+    auto [low, high] = Bounds();
+    for (const Bounds& part : parts) {
+        low = glm::min(low, part.low);
+        high = glm::max(high, part.high);
     }
     const bool any = low.x <= high.x;
     center = any ? 0.5f * (low + high) : vec3(0.0f);

@@ -18,15 +18,15 @@ TriangleSides number_sides(const Surface& surface) {
     };
     struct Corner {
         Index other, corner;  // 3 t + i
+        auto operator<=>(const Corner&) const = default;
     };
-    const auto in_order = [](const Corner& a, const Corner& b) {
-        return a.other != b.other ? a.other < b.other : a.corner < b.corner;
-    };
-    const auto visit = [&](std::size_t corner, const auto& give) {
-        const Edge e = ends(corner);
-        give(e.x, Corner{e.y, static_cast<Index>(corner)});
-    };
-    const Lists<Corner> sides_at = sorted_lists_of<Corner>(surface.vertex_count(), 3 * count, visit, in_order);
+    Lists<Corner> sides_at = lists_of_ranges<Corner>(surface.vertex_count(), [&](const auto& give) {
+        for (std::size_t corner = 0; corner < 3 * count; ++corner) {
+            const Edge e = ends(corner);
+            give(e.x, Corner{e.y, static_cast<Index>(corner)});
+        }
+    });
+    parallel_for(sides_at.count(), [&](std::size_t v) { std::ranges::sort(sides_at[Index(v)]); });
     // number of sides of each vertex, then (prefix sum) the number of its first side
     Array<Index> first = parallel_map<Index>(surface.vertex_count(), [&](std::size_t v) {
         const In<Corner> corners = sides_at[Index(v)];
@@ -61,10 +61,10 @@ std::shared_ptr<const Lists<Index>> triangles_at_sides(const Surface& surface) {
     struct AtSides : Lists<Index> {};
     return surface.cache().get<AtSides>(0, [&] {
         const auto sides = triangle_sides(surface);
-        const auto visit = [&](std::size_t t, const auto& give) {
-            for (int i = 0; i < 3; ++i) give(sides->of_triangle[t][i], static_cast<Index>(t));
-        };
-        return AtSides{sorted_lists_of<Index>(sides->vertices.size(), sides->of_triangle.size(), visit)};
+        return AtSides{lists_of_ranges<Index>(sides->vertices.size(), [&](const auto& give) {
+            for (Index t = 0; t < sides->of_triangle.size(); ++t)
+                for (int i = 0; i < 3; ++i) give(sides->of_triangle[t][i], t);
+        })};
     });
 }
 
