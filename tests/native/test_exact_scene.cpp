@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Exact visibility in whole scenes: a ray for every sample is the judge; usages, instances, threads.
+#include <cmath>
 #include <cstring>
+#include <glm/gtc/constants.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <gtest/gtest.h>
 #include <random>
@@ -109,6 +111,25 @@ TEST(ExactScene, AgreesWithARayForEverySample) {
             EXPECT_EQ(found.wrong, 0u) << "of " << found.samples << ", seed " << seed;
             EXPECT_LT(found.uncertain, found.samples / 200);
         }
+}
+
+TEST(ExactScene, ALineOfManyPointsIsWholeWhereNothingHidesIt) {
+    constexpr int corners = 1700;
+    std::vector<vec3> circle;
+    meshes::Polygons polygon(1);
+    for (int i = 0; i < corners; ++i) {
+        const float angle = 2.0f * glm::pi<float>() * float(i) / corners;
+        circle.emplace_back(std::cos(angle), std::sin(angle), 0.0f);
+        polygon[0].push_back(i);
+    }
+    const std::vector<Placement> placed{place(meshes::of_polygons("disc", circle, polygon), moved({0, 0, 0}), 1)};
+    const Drawing drawing(placed, orthographic({0, 0, 5}, {0, 0, 0}, 3, 800, 800), {line_set({"border"})});
+    const ClippedPaths& clipped = drawing.clipped;
+    ASSERT_EQ(clipped.pieces.count(), 1u);
+    EXPECT_EQ(clipped.px.size(), corners + 1u);
+    ASSERT_EQ(drawing.runs.size(), 1u);
+    EXPECT_EQ(drawing.runs.start_px[0], clipped.first_arc(0));
+    EXPECT_EQ(drawing.runs.end_px[0], clipped.last_arc(0));
 }
 
 TEST(ExactScene, RunsEndWhereVisibilityChanges) {

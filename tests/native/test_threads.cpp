@@ -4,10 +4,12 @@
 #include <atomic>
 #include <gtest/gtest.h>
 #include <memory>
+#include <set>
 #include <thread>
 #include <vector>
 
 #include <fovea/base/cache.h>
+#include <fovea/base/hash.h>
 #include <fovea/base/parallel.h>
 #include <fovea/base/threads.h>
 #include <fovea/draw/frame.h>
@@ -78,6 +80,37 @@ TEST(Threads, NoMoreWorkAtOnceThanAllowed) {
     limit_threads(0);
     EXPECT_EQ(thread_limit(), all);
     EXPECT_THROW(limit_threads(-1), std::invalid_argument);
+}
+
+TEST(Threads, FillListsByRangesInTheOrderOfTheCalls) {
+    constexpr std::size_t lists = 50'000, calls = 300'000;
+    const auto each = [&](const auto& give) {
+        for (std::size_t i = 0; i < calls; ++i) give(hash_numbers(i) % lists, int(i));
+    };
+    const Lists<int> expected = lists_of<int>(lists, each);
+    for (const int most : {1, 3, 0}) {
+        limit_threads(most);
+        const Lists<int> found = lists_of_ranges<int>(lists, each);
+        EXPECT_EQ(found.offsets, expected.offsets);
+        EXPECT_EQ(found.values, expected.values);
+    }
+    EXPECT_EQ(lists_of_ranges<int>(0, [](const auto&) {}).count(), 0u);
+}
+
+TEST(Threads, HashManyBytesToTheSameNumberHoweverManyTheyAre) {
+    Array<char> bytes(2'000'003, 'a');
+    const auto hash = [&](std::size_t size) { return hash_many_bytes(bytes.data(), size); };
+    const std::uint64_t whole = hash(bytes.size());
+    limit_threads(1);
+    EXPECT_EQ(hash(bytes.size()), whole);
+    limit_threads(0);
+    std::set<std::uint64_t> different{whole, hash(0), hash(1), hash(1 << 18), hash(bytes.size() - 1)};
+    for (const std::size_t place : {std::size_t(0), bytes.size() / 2, bytes.size() - 1}) {
+        bytes[place] = 'b';
+        different.insert(hash(bytes.size()));
+        bytes[place] = 'a';
+    }
+    EXPECT_EQ(different.size(), 8u);
 }
 
 TEST(Threads, ThatAskACacheAtOnceGetTheSameQuantityWhichIsMadeOnce) {

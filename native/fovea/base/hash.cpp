@@ -2,7 +2,6 @@
 #include <fovea/base/hash.h>
 
 #include <algorithm>
-
 #include <xxhash.h>
 
 #include <fovea/base/parallel.h>

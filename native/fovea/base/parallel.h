@@ -85,10 +85,10 @@ Array<T> parallel_collect(std::size_t count, std::size_t size, const Body& body)
 template <typename Is>
 std::size_t parallel_count(std::size_t count, const Is& is) {
     std::size_t all = 0;
-    for (const std::size_t part : parallel_parts<std::size_t>(
-             count, 1 << 14, [&](std::size_t& sum, std::size_t begin, std::size_t end) {
-                 for (std::size_t i = begin; i < end; ++i) sum += is(i) ? 1 : 0;
-             }))
+    for (const std::size_t part :
+         parallel_parts<std::size_t>(count, 1 << 14, [&](std::size_t& sum, std::size_t begin, std::size_t end) {
+             for (std::size_t i = begin; i < end; ++i) sum += is(i) ? 1 : 0;
+         }))
         all += part;
     return all;
 }
@@ -150,8 +150,8 @@ Lists<Index> lists_from(Array<Index> counts, const First& first) {
     return lists;
 }
 
-/// Builds `count` lists of values. each(give) must call give(list, value) for every value; lists keep that order. `each`
-/// must make the same calls whenever it runs: once to count, once to fill.
+/// Builds `count` lists of values. each(give) must call give(list, value) for every value; lists keep that order.
+/// `each` must make the same calls whenever it runs: once to count, once to fill.
 template <typename T, typename Each>
 Lists<T> lists_of(std::size_t count, const Each& each) {
     Lists<T> lists;

@@ -21,8 +21,8 @@ constexpr double least_share = 0.42;                  // of the area
 const double fitting = cosine(glm::radians(25.0));
 constexpr double most_unfit = 0.13;   // of the area
 constexpr double least_inside = 0.3;  // of the area
-/// Of surfaces of more triangles than `all` about `some` are looked at: runs of so many, as those of a run have vertices
-/// in common.
+/// Of surfaces of more triangles than `all` about `some` are looked at: runs of so many, as those of a run have
+/// vertices in common.
 constexpr std::size_t run_of_triangles = 32;
 struct Looks {
     std::size_t all, some;

@@ -200,8 +200,8 @@ void Surface::build_edge_corners() {
         for (Index c = 0; c < corner_edges_.size(); ++c)
             if (corner_edges_[c] != none) give(corner_edges_[c], c);
     });
-    report_.loose_edges =
-        static_cast<Index>(parallel_count(mesh_edges, [&](std::size_t e) { return edge_corners_.size(Index(e)) == 0; }));
+    report_.loose_edges = static_cast<Index>(
+        parallel_count(mesh_edges, [&](std::size_t e) { return edge_corners_.size(Index(e)) == 0; }));
 }
 
 }  // namespace fovea::mesh
