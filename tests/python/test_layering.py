@@ -2,6 +2,7 @@
 """Which folders may include or import which: in the order of the data, and each foreign library in one place only."""
 
 import ast
+import functools
 import re
 import shutil
 from graphlib import CycleError, TopologicalSorter
@@ -128,13 +129,12 @@ def _python_violations(root):
     imported = {}  # module of the add-on: those it imports
     for file in sorted((root / "addon").rglob("*.py")):
         name = file.relative_to(root).as_posix()
-        tree = ast.parse(file.read_text(), name)
-        if "native.load" in (ast.unparse(n) for n in ast.walk(tree) if isinstance(n, ast.Attribute)):
-            if not re.fullmatch(LOADERS, name):
-                yield f"{name} loads the native module"
+        nodes = _nodes(file.read_text())
+        if any(isinstance(node, ast.Attribute) for node in nodes) and not re.fullmatch(LOADERS, name):
+            yield f"{name} loads the native module"
         importer = _module(file.relative_to(root / "addon"))
         imported[importer] = []
-        for module in _imports(tree, file.relative_to(root / "addon"), root / "addon"):
+        for module in _imports(nodes, file.relative_to(root / "addon"), root / "addon"):
             if module.startswith("."):
                 imported[importer].append(module[1:])
                 if not _may_import(importer, module[1:]):
@@ -147,15 +147,25 @@ def _python_violations(root):
         yield f"modules import each other: {' '.join(error.args[1])}"
 
 
+@functools.cache  # each test reads all files, of which it has changed one
+def _nodes(text):
+    """The imports in a Python file, and each `native.load`."""
+
+    def is_load(node):
+        return isinstance(node, ast.Attribute) and node.attr == "load" and getattr(node.value, "id", "") == "native"
+
+    return [node for node in ast.walk(ast.parse(text)) if isinstance(node, ast.Import | ast.ImportFrom) or is_load(node)]
+
+
 def _module(file):
     """A file of the add-on as imports name it: 'folder/module', 'folder', or '__init__' of the add-on itself."""
     name = file.with_suffix("").as_posix()
     return name.removesuffix("/__init__")
 
 
-def _imports(tree, file, root):
+def _imports(nodes, file, root):
     """Names of imported modules; those of the add-on as '.folder/module'."""
-    for node in ast.walk(tree):
+    for node in nodes:
         if isinstance(node, ast.Import):
             yield from (alias.name for alias in node.names)
         elif isinstance(node, ast.ImportFrom) and not node.level:
@@ -178,6 +188,13 @@ def _may_import(importer, imported):
     if imported in MODULES:
         return folder != "gpu" or imported == "native"
     return other in FOLDERS[: FOLDERS.index(folder) + 1]
+
+
+def copy_sources(to):
+    """Without documents, pictures and data."""
+    for folder in ("native", "addon"):
+        others = shutil.ignore_patterns("docs", "*.jpg", "*.png", "*.json")
+        shutil.copytree(PROJECT / folder, to / folder, ignore=others)
 
 
 def test_readme_names_the_native_folders_in_their_order():
@@ -235,8 +252,7 @@ def test_the_rules_hold():
     ],
 )
 def test_a_broken_rule_is_found(tmp_path, file, text, complaint):
-    for folder in ("native", "addon"):
-        shutil.copytree(PROJECT / folder, tmp_path / folder)
+    copy_sources(tmp_path)
     planted = tmp_path / file
     planted.parent.mkdir(parents=True, exist_ok=True)
     planted.write_text(text)
@@ -244,8 +260,7 @@ def test_a_broken_rule_is_found(tmp_path, file, text, complaint):
 
 
 def test_modules_that_import_each_other_are_found(tmp_path):
-    for folder in ("native", "addon"):
-        shutil.copytree(PROJECT / folder, tmp_path / folder)
+    copy_sources(tmp_path)
     (tmp_path / "addon/scene/problem.py").write_text("def late():\n    from .camera import of_scene")
     assert any(
         "scene/camera scene/problem scene/camera" in s or "scene/problem scene/camera" in s
