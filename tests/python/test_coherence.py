@@ -38,6 +38,15 @@ def test_strokes_that_stay_neither_slide_nor_pop_nor_blink():
     assert told["popping"] == told["blinks_per_1000"] == told["changes_per_frame"] == 0
 
 
+def test_changes_of_strokes_are_unexplained_where_the_number_of_whole_lines_changes():
+    one, two = lines((0, 4)), lines((0, 4), (1, 5))
+    frames = [replace(one, lines=2), replace(two, lines=2), replace(one, lines=1), replace(one, lines=2)]
+    told = figures(*frames)
+    assert told["changes_per_frame"] == pytest.approx(2 / 3, abs=1e-4)
+    assert told["unexplained_per_frame"] == pytest.approx(1 / 3, abs=1e-4)
+    assert figures(one, two)["unexplained_per_frame"] is None
+
+
 def test_dashes_that_move_with_a_moving_line_hold_still():
     step = 0.04
     frames = [lines((k * step, 4 + k * step), shift=-PX_OF_UNIT * k * step) for k in range(4)]

@@ -154,7 +154,9 @@ def _nodes(text):
     def is_load(node):
         return isinstance(node, ast.Attribute) and node.attr == "load" and getattr(node.value, "id", "") == "native"
 
-    return [node for node in ast.walk(ast.parse(text)) if isinstance(node, ast.Import | ast.ImportFrom) or is_load(node)]
+    return [
+        node for node in ast.walk(ast.parse(text)) if isinstance(node, ast.Import | ast.ImportFrom) or is_load(node)
+    ]
 
 
 def _module(file):

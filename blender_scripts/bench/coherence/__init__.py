@@ -8,7 +8,8 @@ each stroke's start.
 The same measures, on the same grounds (measures.py), for all: points of a frame's strokes are moved with the scene to
 the next frame, and found on the strokes there. window: frames to each side that visibility answers to. pure:
 whether frames drawn backwards, in another order and alone in a new scene are equal. changes_per_frame: mean change of
-the number of strokes. slide: how far dashes move along a moving point's line, at most half a period, in pixels.
+the number of strokes. unexplained: what of it happens where the number of whole lines, seen or not, changes, too, so
+that visibility alone does not explain it; of Fovea, as others do not tell. slide: how far dashes move along a moving point's line, at most half a period, in pixels.
 stretch: |log2| of a dash's length on paper over the wanted one. blinks_per_1000: strokes that live for at most two
 frames, of 1000 strokes. popping: mean change of ink at points that move with the scene. frame_s: seconds a frame."""
 
@@ -47,8 +48,8 @@ FRAMES, QUICK_FRAMES = 16, 4
 MARKS, BAKED = 16, "baked"  # frames
 PERIOD = 18  # pixels of a dash and its gap
 MEASURES = (
-    "pure", "changes_per_frame", "slide_median_px", "slide_p95_px", "stretch_median", "stretch_p95", "blinks_per_1000",
-    "popping", "frame_s",
+    "pure", "changes_per_frame", "unexplained_per_frame", "slide_median_px", "slide_p95_px", "stretch_median",
+    "stretch_p95", "blinks_per_1000", "popping", "frame_s",
 )  # fmt: skip
 COLUMNS = ("scene", "renderer", "lines", "window", "marks", *MEASURES)
 

@@ -78,7 +78,8 @@ class Fovea(renderers.Fovea):
             along = np.full(len(arc), MIDDLE)
         elif fixed:
             along, whole = anchored
-        return Strokes(offsets, px, view.to_world(position), view.depth(position), along, whole, fixed, opacity)
+        depth, lines = view.depth(position), len(self.kept.paths.ids)
+        return Strokes(offsets, px, view.to_world(position), depth, along, whole, fixed, opacity, lines)
 
     def drawn_at(self, piece, arc, columns):
         """What columns of the drawn strokes have at arc lengths of pieces."""

@@ -103,7 +103,7 @@ class Steadiness:
     """Accumulates measures over frames. Keeps the samples of the last one."""
 
     def __init__(self):
-        self.last, self.counts, self.links = None, [], []
+        self.last, self.counts, self.lines, self.links = None, [], [], []
         self.slide, self.stretch, self.popping = [], [], []
 
     def see(self, strokes, moved):
@@ -111,6 +111,7 @@ class Steadiness:
         in this one."""
         now, last = sampled(strokes, STEP), self.last
         self.counts.append(strokes.count)
+        self.lines.append(strokes.lines)
         self.last = now, strokes.octaves
         periods = heavier(now.whole_px, strokes.octaves)
         self.stretch.append(np.abs(np.log2(now.whole_px / periods / PERIOD))[now.length_px > LEAST])
@@ -135,8 +136,11 @@ class Steadiness:
         slide, stretch, popping = (
             np.concatenate(parts) if parts else np.zeros(0) for parts in (self.slide, self.stretch, self.popping)
         )
+        changes = np.abs(np.diff(self.counts))
+        told = None not in self.lines
         return {
-            "changes_per_frame": rounded(np.abs(np.diff(self.counts)).mean()),
+            "changes_per_frame": rounded(changes.mean()),
+            "unexplained_per_frame": rounded((changes * (np.diff(self.lines) != 0)).mean()) if told else None,
             "slide_median_px": at_share(slide, 0.5) if dashed else None,
             "slide_p95_px": at_share(slide, 0.95) if dashed else None,
             "stretch_median": at_share(stretch, 0.5) if dashed else None,

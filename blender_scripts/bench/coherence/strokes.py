@@ -18,6 +18,7 @@ class Strokes:
     whole_px: np.ndarray  # (M,) pixels that a unit of it has there
     octaves: bool  # whether a unit is divided by powers of two; else it is a period
     opacity: np.ndarray  # (M,) of the dashes there, in [0, 1]
+    lines: int | None = None  # number of the whole lines that they are seen parts of; None: nobody tells
 
     @property
     def count(self):
