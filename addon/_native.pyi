@@ -1433,7 +1433,7 @@ class Frame:
         native/fovea/visibility/exact.h."""
     def polylines(self, drawn: bool=False) -> Polylines:
         """Polylines of what pens draw, without haloes and overshoot; takes the steps up to `thin`. drawn: as strokes
-        draw it, with these, and with what is seen in frames near by; up to `shape`."""
+        have it, with these, and with what is seen in frames near by; up to `shape`."""
     def layouts(self, most_side: int, overlap_px: int=0) -> list[DepthLayout]:
         """DepthLayouts in at most so many texels along each axis; cores are looked out of by so many pixels."""
     @property

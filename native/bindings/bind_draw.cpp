@@ -285,8 +285,7 @@ the frame's own; files: {path as the style has it: FileContent}, others are miss
             "native/fovea/visibility/exact.h.")
         .def("polylines", &polylines_of, NoGil(), py::arg("drawn") = false,
              "Polylines of what pens draw, without haloes and overshoot; takes the steps up to `thin`. drawn: as "
-             "strokes "
-             "draw it, with these, and with what is seen in frames near by; up to `shape`.")
+             "strokes have it, with these, and with what is seen in frames near by; up to `shape`.")
         .def("layouts", &Frame::depth_layouts, py::arg("most_side"), py::arg("overlap_px") = 0,
              "DepthLayouts in at most so many texels along each axis; cores are looked out of by so many pixels.");
 }

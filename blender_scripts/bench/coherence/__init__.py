@@ -8,10 +8,11 @@ each stroke's start.
 The same measures, on the same grounds (measures.py), for all: points of a frame's strokes are moved with the scene to
 the next frame, and found on the strokes there. window: frames to each side that visibility answers to. pure:
 whether frames drawn backwards, in another order and alone in a new scene are equal. changes_per_frame: mean change of
-the number of strokes. unexplained: what of it happens where the number of whole lines, seen or not, changes, too, so
-that visibility alone does not explain it; of Fovea, as others do not tell. slide: how far dashes move along a moving point's line, at most half a period, in pixels.
-stretch: |log2| of a dash's length on paper over the wanted one. blinks_per_1000: strokes that live for at most two
-frames, of 1000 strokes. popping: mean change of ink at points that move with the scene. frame_s: seconds a frame."""
+the number of strokes. unexplained_per_frame: what of it happens where the number of whole lines, seen or not, changes,
+too, so that visibility alone does not explain it; of Fovea, as others do not tell. slide: how far dashes move along a
+moving point's line, at most half a period, in pixels. stretch: |log2| of a dash's length on paper over the wanted one.
+blinks_per_1000: strokes that live for at most two frames, of 1000 strokes. popping: mean change of ink at points that
+move with the scene. frame_s: seconds a frame."""
 
 import argparse
 import sys
