@@ -14,6 +14,7 @@ std::uint64_t hash_bytes(const void* data, std::size_t size, std::uint64_t seed)
 
 std::uint64_t hash_many_bytes(const void* data, std::size_t size) {
     constexpr std::size_t block = 1 << 18;
+    if (size <= block) return hash_bytes(data, size);
     const auto* bytes = static_cast<const char*>(data);
     const auto hashes = parallel_map<std::uint64_t>((size + block - 1) / block, [&](std::size_t i) {
         return hash_bytes(bytes + i * block, std::min(block, size - i * block));

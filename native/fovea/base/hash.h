@@ -13,7 +13,7 @@ namespace fovea::base {
 /// 64-bit hash of bytes (XXH3).
 std::uint64_t hash_bytes(const void* data, std::size_t size, std::uint64_t seed = 0);
 
-/// The same of many bytes, in parallel: another number than hash_bytes has.
+/// The same, in parallel where there are many bytes, of which it is another number than hash_bytes has.
 std::uint64_t hash_many_bytes(const void* data, std::size_t size);
 
 template <typename T>

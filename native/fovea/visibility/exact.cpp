@@ -85,14 +85,11 @@ class Marcher {
     Remembered<Occluding, 8> known_;
 };
 
-/// Appends a visible part of a piece, merged with the last run if adjacent.
-void add_visible(Index piece, double start, double end, Runs& runs) {
-    if (end - start <= 1e-9) return;
-    if (runs.size() > 0 && runs.piece.back() == piece && start - runs.end_px.back() <= 1e-6)
-        runs.end_px.back() = end;
-    else
-        runs.push(piece, start, end);
-}
+/// A visible part of a segment, in pixels of its piece.
+struct Part {
+    Index piece;
+    double start, end;
+};
 
 /// Calls visit(piece, segment) for the segments of rows of points whose first points are `begin` to before `end`.
 template <typename Visit>
@@ -102,12 +99,16 @@ void each_segment(const Rows& pieces, std::size_t begin, std::size_t end, const 
         for (Index i = std::max(pieces.begin(q), Index(begin)); i + 1 < pieces.end(q) && i < end; ++i) visit(q, i);
 }
 
-/// The runs of blocks of points, in order: one that goes on in the next block is one.
-Runs joined(const std::vector<Runs>& parts) {
-    Runs all;
-    for (const Runs& part : parts)
-        for (std::size_t r = 0; r < part.size(); ++r) add_visible(part.piece[r], part.start_px[r], part.end_px[r], all);
-    return all;
+/// Runs of parts in order, of which those that touch are one.
+Runs joined(In<Part> parts) {
+    Runs runs;
+    for (std::size_t i = 0; i < parts.size();) {
+        Part run = parts[i++];
+        while (i < parts.size() && parts[i].piece == run.piece && parts[i].start - run.end <= same_place_px)
+            run.end = parts[i++].end;
+        runs.push(run.piece, run.start, run.end);
+    }
+    return runs;
 }
 
 /// Adds to runs of the first pieces of crowds (first_of_crowds) those of all others.
@@ -143,7 +144,7 @@ Runs exact_visibility(const ClippedPaths& clipped, const Paths& paths, const Tra
     check_same_paths(clipped, paths, "exact_visibility");
     tracer.check_current();
     const Array<Index> first = first_of_crowds(clipped, paths, tracer);
-    const auto parts = parallel_parts<Runs>(clipped.px.size(), points_per_block, [&](Runs& runs, auto begin, auto end) {
+    const auto find = [&](std::size_t begin, std::size_t end, Array<Part>& parts) {
         cancel.poll();
         Marcher marcher(tracer);
         std::vector<Interval> hidden;
@@ -155,14 +156,17 @@ Runs exact_visibility(const ClippedPaths& clipped, const Paths& paths, const Tra
             if (paths.placement[clipped.path[q]] != none)
                 marcher.march(segment_at(clipped, paths, tracer, q, i), samples, length, hidden);
             double from = arc;
+            const auto add_up_to = [&](double to) {
+                if (to > from) parts.push_back({q, from, to});
+            };
             for (const Interval& gap : hidden) {
-                add_visible(q, from, arc + gap.begin * length, runs);
+                add_up_to(arc + gap.begin * length);
                 from = gap.end < 1.0 ? arc + gap.end * length : last;
             }
-            add_visible(q, from, last, runs);
+            add_up_to(last);
         });
-    });
-    const Runs asked = joined(parts);
+    };
+    const Runs asked = joined(parallel_collect<Part>(clipped.px.size(), points_per_block, find));
     return first.empty() ? asked : with_crowds(clipped, asked, first);
 }
 
@@ -173,20 +177,18 @@ Array<std::uint8_t> seen_beside(const ClippedPaths& clipped, const Paths& paths,
     const View& view = tracer.view();
     const dmat4 clip_to_view = glm::inverse(view.view_to_clip);
     Array<std::uint8_t> seen(clipped.samples, 0);
-    parallel_blocks(clipped.path.size(), 256, [&](auto, std::size_t begin, std::size_t end) {
+    parallel_blocks(clipped.px.size(), points_per_block, [&](auto, std::size_t begin, std::size_t end) {
         cancel.poll();
-        for (Index q = Index(begin); q < end; ++q) {
+        each_segment(clipped.pieces, begin, end, [&](Index q, Index i) {
+            const Index count = clipped.sample_count[i], start = clipped.sample_start[i];
             const bool in_image = paths.placement[clipped.path[q]] == none;
-            for (Index i = clipped.pieces.begin(q); i + 1 < clipped.pieces.end(q); ++i) {
-                const Index count = clipped.sample_count[i], start = clipped.sample_start[i];
-                const bool asks = !in_image && count > 0;
-                const Ignore ignore = asks ? segment_at(clipped, paths, tracer, q, i).ignore : Ignore();
-                for (Index j = 0; j < count; ++j) {
-                    const vec3 beside = point_beside(clipped, view, clip_to_view, i, (j + 0.5) / count, offset_px);
-                    seen[start + j] = in_image || !tracer.occluder(beside + ignore.above, ignore);
-                }
+            const bool asks = !in_image && count > 0;
+            const Ignore ignore = asks ? segment_at(clipped, paths, tracer, q, i).ignore : Ignore();
+            for (Index j = 0; j < count; ++j) {
+                const vec3 beside = point_beside(clipped, view, clip_to_view, i, (j + 0.5) / count, offset_px);
+                seen[start + j] = in_image || !tracer.occluder(beside + ignore.above, ignore);
             }
-        }
+        });
     });
     return seen;
 }
