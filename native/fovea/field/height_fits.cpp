@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <utility>
 
 #ifdef __x86_64__
 #include <cpuid.h>
@@ -21,7 +22,9 @@ using Held = std::int64_t __attribute__((vector_size(Heights::lanes * sizeof(dou
 
 /// Pivot, as a share of its diagonal entry, at or below which a coefficient counts as undetermined.
 constexpr double least_pivot = 1e-10;
-constexpr std::size_t unrolled = 2;  // points that are added up together
+constexpr std::size_t unrolled = 2;       // points that are added up together
+constexpr std::size_t rows_at_once = 32;  // points whose monomials are kept
+constexpr int tile = 4;                   // entries of a column that are reduced together, in registers
 constexpr int max_size = terms(max_degree), moment_count = terms(2 * max_degree);
 
 // What is below is compiled for more than one kind of registers, so that all of it is part of its caller; vectors are
@@ -79,90 +82,126 @@ FOVEA_PART_OF_CALLER void turn(Heights& points, Planes& planes, bool even) {
     }
 }
 
-/// Monomials x^i y^j up to a degree, ordered as in Polynomial, all multiplied by m[0].
-template <int degree, typename Number>
-FOVEA_PART_OF_CALLER void monomials(const Number* x, const Number* y, Number* m) {
-    for (int d = 1; d <= degree; ++d) {
-        const Number* lower = m + terms(d - 2);
-        Number* own = m + terms(d - 1);
-        for (int j = 0; j < d; ++j) own[j] = *x * lower[j];
-        own[d] = *y * lower[d - 1];
+/// Which monomial x^i y^j is, as ordered in Polynomial.
+constexpr int place(int i, int j) { return terms(i + j - 1) + j; }
+
+constexpr int whole_tiles(int size) { return (size + tile - 1) / tile * tile; }
+
+/// Which moment an entry of the normal matrix is, by column and row; some moment where a tile goes beyond the rows.
+constexpr auto entries = [] {
+    std::array<std::array<std::uint8_t, whole_tiles(max_size)>, max_size> found{};
+    const auto each = [](auto&& visit) {
+        for (int d = 0; d <= max_degree; ++d)
+            for (int j = 0; j <= d; ++j) visit(d - j, j);
+    };
+    each([&](int x, int y) {
+        each([&](int i, int j) { found[place(x, y)][place(i, j)] = static_cast<std::uint8_t>(place(x + i, y + j)); });
+    });
+    return found;
+}();
+
+/// Adds sums over rows of x^i y^j, i < count, times the weight, to `sums`; times z, too, if `with_z`. `column`: of each
+/// row y^j times the weight.
+template <int count, bool with_z>
+FOVEA_PART_OF_CALLER void add_column(const Heights& points, std::size_t begin, std::size_t end, const Lanes* column,
+                                     int j, Lanes* sums) {
+    Lanes sum[count];
+    for (int i = 0; i < count; ++i) sum[i] = sums[place(i, j)];
+    for (std::size_t row = begin; row < end; row += unrolled) {
+        Lanes x[unrolled], z[unrolled], m[unrolled];
+        for (std::size_t k = 0; k < unrolled; ++k) {
+            load(points.x, row + k, &x[k]);
+            if (with_z) load(points.z, row + k, &z[k]);
+            m[k] = column[row + k - begin];
+        }
+#pragma GCC unroll 16
+        for (int i = 0; i < count; ++i) {
+            sum[i] += with_z ? z[0] * m[0] + z[1] * m[1] : m[0] + m[1];
+            for (std::size_t k = 0; k < unrolled; ++k) m[k] *= x[k];
+        }
     }
+    for (int i = 0; i < count; ++i) sums[place(i, j)] = sum[i];
 }
 
-/// Weighted sums of all monomials up to twice the highest degree (moments), and of z times monomials up to the highest;
-/// those of lower degrees come first.
+/// Weighted sums of all monomials up to twice the degree (moments), and of z times monomials up to the degree.
+template <int degree>
 FOVEA_PART_OF_CALLER void add_up(const Heights& points, Lanes* moments, Lanes* heights) {
-    Lanes x[unrolled], y[unrolled], z[unrolled], m[unrolled][moment_count];
-    std::fill_n(moments, moment_count, Lanes{});
-    std::fill_n(heights, max_size, Lanes{});
+    std::fill_n(moments, terms(2 * degree), Lanes{});
+    std::fill_n(heights, terms(degree), Lanes{});
+    Lanes column[rows_at_once];
     const std::size_t rows = points.x.size() / Heights::lanes;
-    for (std::size_t i = 0; i < rows; i += unrolled) {
-        for (std::size_t k = 0; k < unrolled; ++k) {
-            load(points.x, i + k, &x[k]);
-            load(points.y, i + k, &y[k]);
-            load(points.z, i + k, &z[k]);
-            load(points.weight, i + k, &m[k][0]);
-            monomials<2 * max_degree>(&x[k], &y[k], m[k]);
-        }
-        for (int k = 0; k < moment_count; ++k) moments[k] += m[0][k] + m[1][k];
-        for (int k = 0; k < max_size; ++k) heights[k] += z[0] * m[0][k] + z[1] * m[1][k];
+    for (std::size_t begin = 0; begin < rows; begin += rows_at_once) {
+        const std::size_t end = std::min(rows, begin + rows_at_once);
+        for (std::size_t row = begin; row < end; ++row) load(points.weight, row, &column[row - begin]);
+        const auto add = [&]<int j>() __attribute__((always_inline)) {
+            add_column<2 * degree + 1 - j, false>(points, begin, end, column, j, moments);
+            if constexpr (j <= degree) add_column<degree + 1 - j, true>(points, begin, end, column, j, heights);
+            for (std::size_t row = begin; row < end; ++row) {
+                Lanes y;
+                load(points.y, row, &y);
+                column[row - begin] *= y;
+            }
+        };
+        [&]<int... j>(std::integer_sequence<int, j...>) __attribute__((always_inline)) {
+            (add.template operator()<j>(), ...);
+        }(std::make_integer_sequence<int, 2 * degree + 1>());
     }
 }
 
 /// Turns sums of z into coefficients `a`, by L D L^T factorization of the normal matrix, a column at a time; its
-/// entries are moments, of which only terms(2 degree) are distinct. `held`: where they are determined, else they mean
-/// nothing.
-FOVEA_PART_OF_CALLER void solve(int degree, const Lanes* moments, Lanes* a, Held* held) {
-    const int size = terms(degree);
-    Lanes l[max_size][max_size], scaled[max_size], diagonal[max_size], inverse[max_size];
-    int row = 0;
-    for (int d = 0; d <= degree; ++d)
-        for (int j = 0; j <= d; ++j, ++row) {
-            int column = 0;
-            for (int e = 0; e <= d && column <= row; ++e)
-                for (int k = 0; k <= e && column <= row; ++k, ++column)
-                    l[row][column] = moments[terms(d + e - 1) + j + k];
-            diagonal[row] = l[row][row];
-        }
+/// entries are moments. `held`: where they are determined, else they mean nothing.
+template <int degree>
+FOVEA_PART_OF_CALLER void solve(const Lanes* moments, Lanes* a, Held* held) {
+    constexpr int size = terms(degree);
+    constexpr int rows = whole_tiles(size);
+    Lanes l[size][rows], scaled[size][size], inverse[size];  // [column][row]: times the pivot, and L
     *held = ~Held{};
     for (int c = 0; c < size; ++c) {
-        *held &= l[c][c] > least_pivot * diagonal[c];
-        inverse[c] = 1.0 / l[c][c];
-        for (int r = c + 1; r < size; ++r) scaled[r] = l[r][c] * inverse[c];
-        for (int r = c + 1; r < size; ++r) {
-            for (int k = c + 1; k <= r; ++k) l[r][k] -= l[r][c] * scaled[k];
-            l[r][c] = scaled[r];
+        for (int begin = c / tile * tile; begin < rows; begin += tile) {
+            Lanes entry[tile];
+            for (int r = 0; r < tile; ++r) entry[r] = moments[entries[c][begin + r]];
+            for (int k = 0; k < c; ++k)
+                for (int r = 0; r < tile; ++r) entry[r] -= l[k][begin + r] * scaled[k][c];
+            std::copy_n(entry, tile, l[c] + begin);
         }
+        *held &= l[c][c] > least_pivot * moments[entries[c][c]];
+        inverse[c] = 1.0 / l[c][c];
+        for (int r = c + 1; r < size; ++r) scaled[c][r] = l[c][r] * inverse[c];
+        for (int r = c + 1; r < size; ++r) a[r] -= scaled[c][r] * a[c];
     }
-    for (int c = 0; c < size; ++c)
-        for (int r = c + 1; r < size; ++r) a[r] -= l[r][c] * a[c];
-    for (int r = size - 1; r >= 0; --r) {
-        a[r] *= inverse[r];
-        for (int k = r + 1; k < size; ++k) a[r] -= l[k][r] * a[k];
-    }
+    for (int c = 0; c < size; ++c) a[c] *= inverse[c];
+    for (int r = size - 1; r > 0; --r)
+        for (int c = 0; c < r; ++c) a[c] -= scaled[c][r] * a[r];
 }
 
-FOVEA_PART_OF_CALLER void fit(int degree, const Heights& points, Polynomials* found) {
-    Lanes moments[moment_count], heights[max_size];
-    add_up(points, moments, heights);
-    for (bool remain = true; remain && degree >= 2; --degree) {
-        Lanes a[max_size];
-        Held held;
-        std::copy_n(heights, terms(degree), a);
-        solve(degree, moments, a, &held);
-        remain = false;
-        for (std::size_t lane = 0; lane < Heights::lanes; ++lane) {
-            Polynomial& one = (*found)[lane];
-            if (one.degree || points.counts[lane] < std::size_t(terms(2))) continue;
-            if (held[lane] && points.counts[lane] >= std::size_t(terms(degree))) {
-                for (int k = 0; k < terms(degree); ++k) one.a[k] = a[k][lane];
-                one.degree = degree;
-            } else {
-                remain = true;
-            }
+/// Takes the polynomials of a degree where neighborhoods have points for it, and none yet; whether some remain without.
+template <int degree>
+FOVEA_PART_OF_CALLER bool take(const Heights& points, const Lanes* moments, const Lanes* heights, Polynomials* found) {
+    Lanes a[terms(degree)];
+    Held held;
+    std::copy_n(heights, terms(degree), a);
+    solve<degree>(moments, a, &held);
+    bool remain = false;
+    for (std::size_t lane = 0; lane < Heights::lanes; ++lane) {
+        Polynomial& one = (*found)[lane];
+        if (one.degree || points.counts[lane] < std::size_t(terms(2))) continue;
+        if (held[lane] && points.counts[lane] >= std::size_t(terms(degree))) {
+            for (int k = 0; k < terms(degree); ++k) one.a[k] = a[k][lane];
+            one.degree = degree;
+        } else {
+            remain = true;
         }
     }
+    return remain;
+}
+
+/// fit_heights.
+FOVEA_PART_OF_CALLER void fit(int degree, const Heights& points, Polynomials* found) {
+    Lanes moments[moment_count], heights[max_size];
+    degree >= 4 ? add_up<4>(points, moments, heights) : add_up<3>(points, moments, heights);
+    if (degree >= 4 && !take<4>(points, moments, heights, found)) return;
+    if (degree >= 3 && !take<3>(points, moments, heights, found)) return;
+    take<2>(points, moments, heights, found);
 }
 
 void fit_narrow(int degree, const Heights& points, Polynomials* found) { fit(degree, points, found); }
@@ -207,9 +246,11 @@ void put_on_planes(Heights& points, Planes& planes, bool even, bool wide) {
 }
 
 double height_of(const Polynomial& found, double x, double y) {
-    double m[terms(max_degree)] = {1.0}, height = 0.0;
-    monomials<max_degree>(&x, &y, m);
-    for (int k = 0; k < terms(max_degree); ++k) height += found.a[k] * m[k];
+    double column = 1.0, height = 0.0;
+    for (int j = 0; j <= max_degree; ++j, column *= y) {
+        double m = column;
+        for (int i = 0; i + j <= max_degree; ++i, m *= x) height += found.a[place(i, j)] * m;
+    }
     return height;
 }
 

@@ -2,8 +2,10 @@
 #include <fovea/field/neighbors.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
+#include <limits>
 
 #include <fovea/base/disjoint_sets.h>
 #include <fovea/base/elementary.h>
@@ -55,17 +57,21 @@ class HardEdges {
     /// Drops folds that do not continue at both ends (noise), from the ends of chains inwards, `stray_length` times. A
     /// border counts as a continuation.
     void drop_stray(Array<std::uint8_t>& hard) const {
-        std::vector<Index> folds, borders;
-        for (Index e = 0; e < hard.size(); ++e)
-            if (hard[e])
-                folds.push_back(e);
-            else if (surface_.edge_rows.size(e) == 1)
-                borders.push_back(e);
+        const auto where = [&](const auto& holds) {
+            return parallel_collect<Index>(hard.size(), 1 << 14,
+                                           [&](std::size_t begin, std::size_t end, Array<Index>& out) {
+                                               for (Index e = Index(begin); e < end; ++e)
+                                                   if (holds(e)) out.push_back(e);
+                                           });
+        };
+        Array<Index> folds = where([&](Index e) { return hard[e] != 0; });
+        if (folds.empty()) return;
+        const Array<Index> borders = where([&](Index e) { return !hard[e] && surface_.edge_rows.size(e) == 1; });
         for (int pass = 0; pass < stray_length && !folds.empty(); ++pass) {
             Array<std::uint8_t> more(surface_.vertex_count(), 0);  // edges that end at the vertex: 0, 1, or 2 for more
             const auto end_at = [&](Index v) { more[v] = more[v] ? 2 : 1; };
-            for (const auto* ending : {&folds, &borders})
-                for (const Index e : *ending) end_at(surface_.edges[e].x), end_at(surface_.edges[e].y);
+            for (const In<Index> ending : {In<Index>(folds), In<Index>(borders)})
+                for (const Index e : ending) end_at(surface_.edges[e].x), end_at(surface_.edges[e].y);
             std::erase_if(folds, [&](Index e) {
                 const bool stray = !told(e) && (more[surface_.edges[e].x] < 2 || more[surface_.edges[e].y] < 2);
                 if (stray) hard[e] = 0;
@@ -131,6 +137,55 @@ Array<Index> kept_triangles(const Surface& surface, const Lists<Index>& hard_end
     });
 }
 
+/// The vertices that follow vertex v in the triangles around it, and those that precede it, if there are few triangles.
+struct Fan {
+    static constexpr int most = 8;
+    static constexpr int beyond = std::numeric_limits<int>::max();  // more than any index
+
+    Fan(const Surface& surface, Index v, In<Index> triangles) {
+        for (auto* ends : {&next, &previous}) std::fill_n(ends->data(), most, beyond);
+        for (std::size_t i = 0; i < triangles.size(); ++i) {
+            const Triangle& t = surface.triangles[triangles[i]];
+            next[i] = static_cast<int>(t.x == v ? t.y : t.y == v ? t.z : t.x);
+            previous[i] = static_cast<int>(t.x == v ? t.z : t.y == v ? t.x : t.y);
+        }
+    }
+    /// In ascending order; `beyond` at the end, and where one occurs twice. The place of each is how many are less,
+    /// which takes no branches.
+    static std::array<int, most + 1> sorted(const std::array<int, most>& ends) {
+        std::array<int, most> less{};
+        for (int j = 0; j < most; ++j)
+            for (int i = 0; i < most; ++i) less[i] += ends[j] < ends[i];
+        std::array<int, most + 1> placed;
+        placed.fill(beyond);
+        for (int i = 0; i < most; ++i) placed[less[i]] = ends[i];
+        return placed;
+    }
+
+    std::array<int, most> next, previous;
+};
+
+/// Writes the vertices of triangles around v but v itself in ascending order to `out`, which has room for two of each
+/// triangle; returns how many they are.
+Index list_ends(const Surface& surface, Index v, In<Index> triangles, Index* out) {
+    const std::size_t size = triangles.size();
+    if (0 < size && size <= Fan::most) {
+        const Fan fan(surface, v, triangles);
+        const auto next = Fan::sorted(fan.next);
+        const auto is_end = [&](int w) { return w != Fan::beyond && w != static_cast<int>(v); };
+        if (next == Fan::sorted(fan.previous) && std::all_of(next.begin(), next.begin() + size, is_end)) {
+            std::copy_n(next.begin(), size, out);  // they go all around v
+            return static_cast<Index>(size);
+        }
+    }
+    Index* end = out;
+    for (const Index t : triangles)
+        for (int k = 0; k < 3; ++k)
+            if (const Index w = surface.triangles[t][k]; w != v) *end++ = w;
+    std::sort(out, end);
+    return static_cast<Index>(std::unique(out, end) - out);
+}
+
 Neighbors find_neighbors(const Surface& surface, double hard_angle) {
     Neighbors result;
     const Index count = surface.vertex_count();
@@ -149,21 +204,15 @@ Neighbors find_neighbors(const Surface& surface, double hard_angle) {
             }
         });
         parallel_for(count, [&](std::size_t v) { result.hard[v] = ends.size(Index(v)) > 0; });
-        result.triangles =
-            lists_from(kept_triangles(surface, ends, around), [&](Index v) { return around[v].begin(); });
-    } else {
-        result.triangles = std::move(around);
+        if (!ends.values.empty())
+            around = lists_from(kept_triangles(surface, ends, around), [&](Index v) { return around[v].begin(); });
     }
-    // Vertices of these triangles: listed twice per triangle, then sorted and made unique.
+    result.triangles = std::move(around);
+    // Vertices of these triangles: at most two for each of them.
     Array<Index> listed(2 * result.triangles.values.size()), counts(count);
     const auto listed_at = [&](Index v) { return listed.begin() + 2 * std::size_t(result.triangles.begin(v)); };
     parallel_for(count, [&](std::size_t v) {
-        auto out = listed_at(Index(v));
-        for (const Index t : result.triangles[Index(v)])
-            for (int k = 0; k < 3; ++k)
-                if (const Index w = surface.triangles[t][k]; w != v) *out++ = w;
-        std::sort(listed_at(Index(v)), out);
-        counts[v] = static_cast<Index>(std::unique(listed_at(Index(v)), out) - listed_at(Index(v)));
+        counts[v] = list_ends(surface, Index(v), result.triangles[Index(v)], &*listed_at(Index(v)));
     });
     result.vertices = lists_from(std::move(counts), listed_at);
     return result;

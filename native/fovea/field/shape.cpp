@@ -23,11 +23,11 @@ constexpr double most_unfit = 0.13;   // of the area
 constexpr double least_inside = 0.3;  // of the area
 /// Of surfaces of more triangles than `all` about `some` are looked at: runs of so many, as those of a run have
 /// vertices in common.
-constexpr std::size_t run_of_triangles = 32;
+constexpr std::size_t run_of_triangles = 16;
 struct Looks {
     std::size_t all, some;
 };
-constexpr Looks for_rounding{100'000, 50'000}, for_fits{10'000, 10'000};
+constexpr Looks for_rounding{100'000, 25'000}, for_fits{10'000, 8'000};
 
 /// An edge between two facets; length 0: another edge.
 struct Bend {

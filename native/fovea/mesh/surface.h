@@ -220,7 +220,9 @@ class Surface : public SurfaceArrays {
         bool ascending;
         Index facet, corner;
     };
+    /// Tells which facet is at each corner's side of a polygon of several, and adds its diagonals between them.
     void split_bent_polygon(Index polygon, std::vector<TriangleSide>& scratch, Array<Diagonal>& diagonals);
+    void split_bent_quad(Index quad, Array<Diagonal>& diagonals);
 
     std::string name_;
     Rows polygons_;  // corners of polygons

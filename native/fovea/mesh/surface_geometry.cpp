@@ -93,8 +93,11 @@ Array<Surface::Outline> Surface::find_degenerate(Array<std::uint8_t>& skip) {
     parallel_for(polygon_count(), [&](std::size_t f) {
         const In<Index> corners = polygon_vertices(Index(f));
         skip[f] = corners.size() < 3;
-        for (std::size_t i = 0; i < corners.size() && !skip[f]; ++i)
-            skip[f] = !finite(positions[corners[i]]) || corners[i] == corners[(i + 1) % corners.size()];
+        Index before = corners.empty() ? none : corners.back();
+        for (const Index corner : corners) {
+            skip[f] |= !finite(positions[corner]) || corner == before;
+            before = corner;
+        }
         if (skip[f]) return;
         outlines[f] = outline_of(corners);
         const double size = outlines[f].perimeter * outlines[f].perimeter;
@@ -204,6 +207,15 @@ void Surface::build_facets(const Array<std::uint8_t>& skip, const Array<Outline>
     });
 }
 
+void Surface::split_bent_quad(Index f, Array<Diagonal>& diagonals) {
+    const Index begin = polygon_triangles_.begin(f), first = triangle_facet[begin], second = triangle_facet[begin + 1];
+    const Index from = triangles[begin].x, to = triangles[begin].z;  // the second triangle goes from `to` back
+    const Index c0 = polygons_.begin(f), shift = from == corner_verts_[c0] ? 0 : 1;
+    for (Index i = 0; i < 4; ++i) corner_facet_[c0 + (i + shift) % 4] = i < 2 ? first : second;
+    diagonals.push_back(
+        {Edge(std::min(from, to), std::max(from, to)), EdgeSide(first, to < from), EdgeSide(second, from < to)});
+}
+
 void Surface::split_bent_polygon(Index f, std::vector<TriangleSide>& sides, Array<Diagonal>& diagonals) {
     // Sort the sides of the triangles and of the polygon by their vertices, so that equal ones are adjacent: a triangle
     // side that equals a polygon side lies on the outline; one that equals another triangle's is a diagonal.
@@ -239,6 +251,8 @@ void Surface::build_edge_sides(const Array<std::uint8_t>& skip) {
                 In<Index>(triangle_facet).subspan(polygon_triangles_.begin(f), polygon_triangles_.size(f));
             if (std::ranges::find_if(own, [&](Index of) { return of != own[0]; }) == own.end()) {
                 std::fill(corner_facet_.begin() + polygons_.begin(f), corner_facet_.begin() + polygons_.end(f), own[0]);
+            } else if (polygons_.size(f) == 4) {
+                split_bent_quad(static_cast<Index>(f), found);
             } else {
                 split_bent_polygon(static_cast<Index>(f), scratch, found);
             }

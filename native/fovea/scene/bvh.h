@@ -66,12 +66,15 @@ class SurfaceBvh {
         const Index* patches;
         dvec3 center;
         double scale;
+        const RTCBounds* boxes;  // of patches, while the BVH is built: builders ask for each several times
     };
     static void box_of(const RTCBoundsFunctionArguments* at);
     static void meet(const RTCIntersectFunctionNArguments* at);
     static void meet(RayContext& context, const vec3* positions, const Triangle& corners, Index triangle);
 
     void take(const Surface& surface) const;
+    /// The boxes of the patches, which callbacks read as long as they are kept.
+    Array<RTCBounds> take_boxes() const;
     void build(const Surface& surface) const;
 
     mutable Triangles triangles_;

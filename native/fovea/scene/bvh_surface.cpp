@@ -23,8 +23,10 @@ namespace {
 constexpr Index probes = 4096;
 constexpr double worst_spread = 1.7;
 
-/// Number of triangles from which building a BVH of default quality would take longer than its rays gain.
-constexpr Index many = 1 << 18;
+/// Numbers of triangles from which building takes longer than the rays of a frame gain by a BVH of default quality, at
+/// worst a sixth of their time, instead of one by Morton order, which takes a third of the time to build; and by
+/// smaller patches.
+constexpr Index some = 1 << 17, many = 1 << 18;
 
 /// How many corners two triangles share.
 int shared_corners(const Triangle& a, const Triangle& b) {
@@ -151,13 +153,15 @@ void SurfaceBvh::build(const Surface& surface) const {
     take(surface);
     scene_.reset(rtcNewScene(bvh_device()));
     if (moves_) rtcSetSceneFlags(scene_.get(), RTC_SCENE_FLAG_DYNAMIC);
-    if (moves_ || surface.occluding_triangles >= many)
-        rtcSetSceneBuildQuality(scene_.get(), RTC_BUILD_QUALITY_LOW);  // Embree refits in these scenes only
+    const bool quick = surface.occluding_triangles >= some;
+    if (moves_ || quick)
+        rtcSetSceneBuildQuality(scene_.get(), RTC_BUILD_QUALITY_LOW);  // Embree looks at that of geometries then
     geometry_ = attach_boxes(scene_.get(), patches_.size() - 1, box_of, meet, &triangles_);
-    if (moves_) {
-        rtcSetGeometryBuildQuality(geometry_, RTC_BUILD_QUALITY_REFIT);
+    if (moves_ || quick) {
+        rtcSetGeometryBuildQuality(geometry_, moves_ ? RTC_BUILD_QUALITY_REFIT : RTC_BUILD_QUALITY_LOW);
         rtcCommitGeometry(geometry_);
     }
+    const Array<RTCBounds> boxes = take_boxes();
     build_bvh(scene_.get(), surface.name());
     if (!moves_) return;
     hash_ = hash_of_triangles(surface);
@@ -166,8 +170,28 @@ void SurfaceBvh::build(const Surface& surface) const {
 }
 
 void SurfaceBvh::take(const Surface& surface) const {
-    triangles_ = {surface.positions.data(), surface.triangles.data(), patches_.data(), dvec3(surface.center),
-                  1.0 / std::max(double(surface.radius), std::numeric_limits<double>::min())};
+    triangles_ = {surface.positions.data(),
+                  surface.triangles.data(),
+                  patches_.data(),
+                  dvec3(surface.center),
+                  1.0 / std::max(double(surface.radius), std::numeric_limits<double>::min()),
+                  nullptr};
+}
+
+Array<RTCBounds> SurfaceBvh::take_boxes() const {
+    Array<RTCBounds> boxes = parallel_map<RTCBounds>(patches_.size() - 1, [&](std::size_t patch) {
+        vec3 lower(infinity), upper(-infinity);
+        for (Index i = patches_[patch]; i < patches_[patch + 1]; ++i)
+            for (int k = 0; k < 3; ++k) {
+                const vec3& corner = triangles_.positions[triangles_.triangles[i][k]];
+                lower = glm::min(lower, corner);
+                upper = glm::max(upper, corner);
+            }
+        const dvec3& center = triangles_.center;
+        return box_between((dvec3(lower) - center) * triangles_.scale, (dvec3(upper) - center) * triangles_.scale, 1.0);
+    });
+    triangles_.boxes = boxes.data();
+    return boxes;
 }
 
 void SurfaceBvh::follow(const Surface& surface) const {
@@ -175,6 +199,7 @@ void SurfaceBvh::follow(const Surface& surface) const {
     if (version_ == surface.version()) return;
     if (moves_ && hash_of_triangles(surface) == hash_ && spread(surface, neighbors_) <= worst_spread * spread_) {
         take(surface);
+        const Array<RTCBounds> boxes = take_boxes();
         rtcCommitGeometry(geometry_);
         commit(scene_.get());  // while it waits there, the thread takes no task that waits for this lock
         check_bvh_device(surface.name());
@@ -207,15 +232,7 @@ void SurfaceBvh::meet(RayContext& context, const vec3* p, const Triangle& t, Ind
 }
 
 void SurfaceBvh::box_of(const RTCBoundsFunctionArguments* at) {
-    const Triangles& of = *static_cast<const Triangles*>(at->geometryUserPtr);
-    vec3 lower(std::numeric_limits<float>::infinity()), upper(-lower);
-    for (Index i = of.patches[at->primID]; i < of.patches[at->primID + 1]; ++i)
-        for (int k = 0; k < 3; ++k) {
-            const vec3& corner = of.positions[of.triangles[i][k]];
-            lower = glm::min(lower, corner);
-            upper = glm::max(upper, corner);
-        }
-    *at->bounds_o = box_between((dvec3(lower) - of.center) * of.scale, (dvec3(upper) - of.center) * of.scale, 1.0);
+    *at->bounds_o = static_cast<const Triangles*>(at->geometryUserPtr)->boxes[at->primID];
 }
 
 void SurfaceBvh::meet(const RTCIntersectFunctionNArguments* at) {
