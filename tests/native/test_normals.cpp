@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Normals, areas and neighbors against closed forms.
+#include <algorithm>
 #include <gtest/gtest.h>
 #include <numeric>
+#include <set>
 
 #include <fovea/field/normals.h>
 #include <fovea/field/walk.h>
@@ -48,6 +50,34 @@ TEST(Normals, AreExactOnSpheresHoweverTheyAreDivided) {
         const auto surface = mesh.surface();
         const Array<vec3> normals = vertex_normals(*surface, *neighbors_of(*surface));
         for (std::size_t v = 0; v < normals.size(); ++v) EXPECT_LT(glm::distance(normals[v], outward[v]), 1e-5f);
+    }
+}
+
+TEST(Neighbors, AreTheVerticesOfTheTrianglesAtAVertexEachOnceInOrder) {
+    const auto fan = [](int around, bool closed, bool turned) {
+        std::vector<vec3> points{{0, 0, 0}};
+        meshes::Polygons polygons;
+        for (int i = 0; i < around; ++i)
+            points.push_back({std::cos(6.0f * i / around), std::sin(6.0f * i / around), 1});
+        for (int i = 0; i + (closed ? 0 : 1) < around; ++i) {
+            const int from = around - i, to = i + 1 < around ? from - 1 : around;
+            polygons.push_back(turned && i == 1 ? std::vector{0, to, from} : std::vector{0, from, to});
+        }
+        return meshes::of_polygons("fan", points, polygons);
+    };
+    std::vector<Mesh> all{meshes::box(), meshes::sphere(9), meshes::moebius(12), meshes::two_boxes_at_an_edge(),
+                          torus({.n = 16, .irregular = true}).mesh};
+    for (const int around : {3, 7, 8, 9, 20})
+        for (const bool closed : {false, true})
+            for (const bool turned : {false, true}) all.push_back(fan(around, closed, turned));
+    for (const Mesh& mesh : all) {
+        const auto surface = mesh.surface();
+        const auto neighbors = neighbors_of(*surface, no_hard_edges);
+        std::vector<std::set<Index>> expected(surface->vertex_count());
+        for (const Triangle& t : surface->triangles)
+            for (int i = 0; i < 3; ++i) expected[t[i]].insert({t[(i + 1) % 3], t[(i + 2) % 3]});
+        for (Index v = 0; v < surface->vertex_count(); ++v)
+            EXPECT_TRUE(std::ranges::equal(neighbors->vertices[v], expected[v])) << mesh.name << ", vertex " << v;
     }
 }
 

@@ -106,6 +106,28 @@ TEST(Surface, SidesOfABentNgonBelongToTheTriangleThatHoldsThem) {
     }
 }
 
+TEST(Surface, SidesOfABentQuadBelongToTheTriangleThatHoldsThemHoweverItIsSplit) {
+    Mesh concave = concave_quad();
+    concave.positions[1].z += 0.7f;
+    for (const Mesh& quad : {bent_quad(), concave})
+        for (int first = 0; first < 4; ++first) {
+            const auto at = [&](int i) { return (first + i) % 4; };
+            const auto surface = of_polygons(quad.name, quad.positions, {{at(0), at(1), at(2), at(3)}}).surface();
+            ASSERT_EQ(surface->facet_count(), 2u);
+            ASSERT_EQ(surface->edges.size(), 5u);
+            ASSERT_EQ(surface->edge_rows.size(4), 2u) << "the diagonal";
+            for (Index e = 0; e < 5; ++e)
+                for (const EdgeSide side : surface->sides(e)) {
+                    const Edge edge = surface->edges[e];
+                    const Edge along = side.forward() ? edge : Edge(edge.y, edge.x);
+                    const Triangle& t = surface->triangles[side.facet()];  // each is a facet
+                    EXPECT_EQ(surface->triangle_facet[side.facet()], side.facet());
+                    EXPECT_TRUE(along == Edge(t.x, t.y) || along == Edge(t.y, t.z) || along == Edge(t.z, t.x))
+                        << quad.name << " from corner " << first << ", edge " << e;
+                }
+        }
+}
+
 TEST(Surface, ConcaveQuadsAreSplitInside) {
     for (const float scale : {1.0f, 1e-12f, 1e12f}) {
         Mesh mesh = concave_quad();

@@ -210,9 +210,9 @@ Neighbors find_neighbors(const Surface& surface, double hard_angle) {
     result.triangles = std::move(around);
     // Vertices of these triangles: at most two for each of them.
     Array<Index> listed(2 * result.triangles.values.size()), counts(count);
-    const auto listed_at = [&](Index v) { return listed.begin() + 2 * std::size_t(result.triangles.begin(v)); };
+    const auto listed_at = [&](Index v) { return listed.data() + 2 * std::size_t(result.triangles.begin(v)); };
     parallel_for(count, [&](std::size_t v) {
-        counts[v] = list_ends(surface, Index(v), result.triangles[Index(v)], &*listed_at(Index(v)));
+        counts[v] = list_ends(surface, Index(v), In<Index>(result.triangles[Index(v)]), listed_at(Index(v)));
     });
     result.vertices = lists_from(std::move(counts), listed_at);
     return result;

@@ -27,7 +27,7 @@ constexpr std::size_t run_of_triangles = 16;
 struct Looks {
     std::size_t all, some;
 };
-constexpr Looks for_rounding{100'000, 25'000}, for_fits{10'000, 8'000};
+constexpr Looks for_rounding{100'000, 25'000}, for_fits{10'000, 10'000};
 
 /// An edge between two facets; length 0: another edge.
 struct Bend {
