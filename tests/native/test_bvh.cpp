@@ -1,7 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A surface's BVH follows its vertices: rays say what they say of a surface that was made there.
+#include <atomic>
+#include <chrono>
 #include <gtest/gtest.h>
 #include <random>
+#include <tbb/global_control.h>
+#include <tbb/task_arena.h>
+#include <thread>
+
+#include <fovea/base/parallel.h>
+#include <fovea/scene/bvh.h>
 
 #include "drawing.h"
 
@@ -145,6 +153,37 @@ TEST(Bvh, OfASurfaceMovedWithRefitDoesSo) {
         const Scene old_scene({{surface, turned, 1}}), new_scene({{bent(k).surface(), turned, 1}});
         EXPECT_GT(same_hits(old_scene, new_scene, level_view), 3000) << k;
     }
+}
+
+TEST(Bvh, WhoFollowsASurfaceThatMovedTakesNoOtherWorkMeanwhile) {
+    // Work for the same surface would wait for that which it interrupts. Helpers in its loops are slow here.
+    static thread_local int following = 0;
+    struct Slow : Cancel {
+        bool asked() const override {
+            if (following == 0) std::this_thread::sleep_for(std::chrono::milliseconds(2));
+            return false;
+        }
+    } const slow;
+    const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, 8);
+    tbb::task_arena arena(8);
+    Mesh mesh = sphere(80);
+    std::vector<std::shared_ptr<Surface>> surfaces;
+    for (int i = 0; i < 48; ++i) surfaces.push_back(mesh.surface());
+    std::atomic<int> deepest = 0;
+    for (int k = 0; k < 5; ++k) {
+        for (vec3& p : mesh.positions) p *= 1.01f;
+        for (const auto& surface : surfaces) surface->set_positions(mesh.positions, true);
+        arena.execute([&] {
+            parallel_for(surfaces.size(), 1, [&](std::size_t i) {
+                const Cancelling scope(&slow);
+                ++following;
+                if (following > deepest) deepest = following;
+                bvh_of(*surfaces[i]);
+                --following;
+            });
+        });
+    }
+    EXPECT_EQ(deepest, 1);
 }
 
 TEST(Bvh, OfASurfaceOfManyTrianglesTellsWhatThoseOfItsPartsDo) {

@@ -280,6 +280,22 @@ TEST(Cutout, ACardHidesALineBehindItExactlyWhereItsDiscIs) {
     }
 }
 
+TEST(Cutout, PolygonsWhoseTrianglesNameOthersVerticesAreCutAsIfTheyHadNone) {
+    Mesh whole("l", l_shape().positions);
+    for (vec3& p : whole.positions) p -= vec3(1, 1, 0);
+    whole.positions.push_back({5, 5, 0});
+    whole.add_polygon({0, 1, 2, 3, 4, 5});
+    Mesh broken = whole;
+    broken.ngon_triangles = {{0, 1, 3}, {1, 2, 3}, {0, 3, 6}, {3, 4, 6}};
+    broken.ngon_polygon = {0, 0, 0, 0};
+    for (const double px_per_unit : {0.0, 100.0}) {
+        const CutMesh as_is = cut(whole, disc(16, 0.3), px_per_unit), told = cut(broken, disc(16, 0.3), px_per_unit);
+        EXPECT_EQ(told.positions, as_is.positions);
+        EXPECT_EQ(told.corner_verts, as_is.corner_verts);
+        EXPECT_GT(told.corner_verts.size(), 10u);
+    }
+}
+
 TEST(Cutout, BadInputIsRefusedByName) {
     const Mesh mesh = card();
     const std::vector<int> first{0}, missing{1};

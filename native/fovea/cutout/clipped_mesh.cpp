@@ -14,7 +14,8 @@ constexpr double least_piece = 1e-3;  // texels; smaller pieces are left out
 
 bool finite(const vec2& p) { return std::isfinite(p.x) && std::isfinite(p.y); }
 
-/// The triangles of each polygon: those of larger polygons come with the mesh.
+/// The triangles of each polygon: those of larger polygons come with the mesh, but where they name a vertex that is
+/// none of its corners.
 class Triangulation {
    public:
     explicit Triangulation(const MeshArrays& mesh) : mesh_(mesh) {}
@@ -27,7 +28,9 @@ class Triangulation {
             const glm::ivec3& v = mesh_.ngon_triangles[t - mesh_.ngon_polygon.begin()];
             found.push_back({corner(begin, end, v.x), corner(begin, end, v.y), corner(begin, end, v.z)});
         }
-        if (!found.empty()) return found;
+        const auto is_own = [&](const Corners& c) { return std::max({c[0], c[1], c[2]}) < end; };
+        if (!found.empty() && std::ranges::all_of(found, is_own)) return found;
+        found.clear();
         std::vector<vec3> outline;
         for (Index c = begin; c < end; ++c) outline.push_back(mesh_.positions[mesh_.corner_verts[c]]);
         if (std::all_of(outline.begin(), outline.end(), [](const vec3& p) { return std::isfinite(p.x + p.y + p.z); }))
@@ -36,6 +39,7 @@ class Triangulation {
     }
 
    private:
+    /// `end` if there is none.
     Index corner(Index begin, Index end, int vertex) const {
         const auto corners = mesh_.corner_verts.begin();
         return Index(std::find(corners + begin, corners + end, vertex) - corners);

@@ -197,16 +197,19 @@ Array<RTCBounds> SurfaceBvh::take_boxes() const {
 void SurfaceBvh::follow(const Surface& surface) const {
     const std::lock_guard lock(mutex_);
     if (version_ == surface.version()) return;
-    if (moves_ && hash_of_triangles(surface) == hash_ && spread(surface, neighbors_) <= worst_spread * spread_) {
-        take(surface);
-        const Array<RTCBounds> boxes = take_boxes();
-        rtcCommitGeometry(geometry_);
-        commit(scene_.get());  // while it waits there, the thread takes no task that waits for this lock
-        check_bvh_device(surface.name());
-    } else {
-        moves_ = true;
-        build(surface);
-    }
+    // Isolated: a thread that waits for others in here takes no task that waits for this lock.
+    tbb::this_task_arena::isolate([&] {
+        if (moves_ && hash_of_triangles(surface) == hash_ && spread(surface, neighbors_) <= worst_spread * spread_) {
+            take(surface);
+            const Array<RTCBounds> boxes = take_boxes();
+            rtcCommitGeometry(geometry_);
+            commit(scene_.get());
+            check_bvh_device(surface.name());
+        } else {
+            moves_ = true;
+            build(surface);
+        }
+    });
     version_ = surface.version();
 }
 
