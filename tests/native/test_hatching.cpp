@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 #include <map>
 
+#include <fovea/line/hatch_levels.h>
+
 #include "rules.h"
 #include "shadows.h"
 
@@ -393,4 +395,16 @@ TEST(Hatching, KeepsItsIdsWhileTheCameraMovesALittle) {
 
 TEST(Hatching, OfWhatIsSmallerThanItsSpacingIsNone) {
     EXPECT_EQ(Hatched({place(box(), scaled(dvec3(0.01)))}, {}, slanted_at(20.0), all_of_it).paths.count(), 0u);
+}
+
+TEST(Hatching, LevelsOfATriangleThatReachesBeyondAllMeasureAreFew) {
+    const View view = perspective({0, -6, 1}, {0, 0, 0}, 36);
+    const HatchLevels levels(view, spacing);
+    const auto count = [&](double farthest) {
+        const dvec3 up(0, 1, 0);
+        const HatchLevels::Corners floor{{{{-1, -0.5, -1}, up}, {{1, -0.5, -1}, up}, {{0, -0.5, -farthest}, up}}};
+        return levels.on({{0.5, 0, 1}, 0.0, 1.0, 0}, floor, false).size();
+    };
+    EXPECT_GT(count(1e3), 100u);
+    for (const double farthest : {1e20, 1e100, 1e300}) EXPECT_LT(count(farthest), 100'000u) << farthest;
 }

@@ -16,6 +16,10 @@ constexpr double most_turned = 8.0;
 /// Lines of a family on one triangle, at most; more are left out in coarser powers of two.
 constexpr double most_levels = 4096.0;
 
+/// Slabs of a triangle, at most. What is so many times twice as far away as its nearest part has no size that numbers
+/// could tell, in a placement by an enormous matrix.
+constexpr int most_slabs = 48;
+
 /// Margin of the frame beyond which there are no lines, as a share of its half size: that of project/clip.h and more.
 constexpr double frame_margin = 0.15;
 
@@ -161,7 +165,8 @@ std::vector<HatchLevel> HatchLevels::on(const HatchFamily& family, const Corners
     measure();
     // Slabs of twice the distance each, in which spacing differs little. Of huge triangles clipping is not exact.
     const double first = view_.orthographic ? HUGE_VAL : 2.0 * std::max(near, view_.near_clip);
-    for (double split = first; polygon.size() >= 3; split *= 2.0) {
+    double split = first;
+    for (int slab = 0; slab < most_slabs && polygon.size() >= 3; ++slab, split *= 2.0) {
         append(family, clipped(polygon, [&](const dvec3& p) { return p.z + split; }), normal, found);
         if (!(split < far)) break;
         polygon = clipped(polygon, [&](const dvec3& p) { return -split - p.z; });
