@@ -169,7 +169,7 @@ struct Fan {
 /// triangle; returns how many they are.
 Index list_ends(const Surface& surface, Index v, In<Index> triangles, Index* out) {
     const std::size_t size = triangles.size();
-    if (0 < size && size <= Fan::most) {
+    if (size <= Fan::most) {
         const Fan fan(surface, v, triangles);
         const auto next = Fan::sorted(fan.next);
         const auto is_end = [&](int w) { return w != Fan::beyond && w != static_cast<int>(v); };

@@ -164,8 +164,7 @@ std::vector<HatchLevel> HatchLevels::on(const HatchFamily& family, const Corners
         polygon = clipped(polygon, [&](const dvec3& p) { return distance_to(plane, p); });
     measure();
     // Slabs of twice the distance each, in which spacing differs little. Of huge triangles clipping is not exact.
-    const double first = view_.orthographic ? HUGE_VAL : 2.0 * std::max(near, view_.near_clip);
-    double split = first;
+    double split = view_.orthographic ? HUGE_VAL : 2.0 * std::max(near, view_.near_clip);
     for (int slab = 0; slab < most_slabs && polygon.size() >= 3; ++slab, split *= 2.0) {
         append(family, clipped(polygon, [&](const dvec3& p) { return p.z + split; }), normal, found);
         if (!(split < far)) break;
