@@ -126,7 +126,7 @@ TEST(Lattice, OfAnAxisFarOutsideOfTheImageHasNodesAllOverIt) {
 TEST(Lattice, OfAFewPixelsIsSmall) {
     View view = drawing::orthographic({0, 0, 5}, {0, 0, 0}, 2.0, 16, 1);
     view.reference_scale = 1.0 / reference_height;
-    EXPECT_LT(image::lattice_over(view, 1.5, 3).size(), 40000u);
+    EXPECT_LT(image::lattice_over(view, 1.5, 3).size(), 3000u);
 }
 
 TEST(LocalFit, IsExactOnQuadratics) {

@@ -34,7 +34,7 @@ inline dvec2 place_in_square(int i, int bits) {
 }
 
 /// Lattice over the frame, its margin and `border` more steps on each side. The step is increased where there would be
-/// more than about 2^24 nodes, or 32 to a pixel along each axis.
+/// more than about 2^24 nodes, or 8 to a pixel along each axis.
 Lattice lattice_over(const View& view, double step_reference_px, int border);
 
 }  // namespace fovea::image
