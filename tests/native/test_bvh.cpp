@@ -145,6 +145,26 @@ TEST(Bvh, OfASurfaceMovedWithoutRefitTellsWhatThatOfANewOneDoesToTheLastBit) {
     }
 }
 
+TEST(Bvh, RaysTellTheSameOfASurfaceWithAVertexThatWasFlungAway) {
+    const Mesh whole = sphere(40);
+    const auto with_vertex_at = [&](float far) {
+        Mesh mesh = whole;
+        mesh.positions.push_back({0.0f, far, -far / 6.0f});  // behind the sphere, as the eye sees it
+        const int last = static_cast<int>(mesh.positions.size()) - 1;
+        mesh.add_polygon({0, 1, last});
+        return mesh;
+    };
+    const Scene alone({{whole.surface(), dmat4(1.0), 1}});
+    const auto told = [](const Hit& hit) { return std::tuple(hit.t, hit.u, hit.v); };
+    const auto moves = with_vertex_at(4.0f).surface();
+    for (const float far : {1e2f, 1e5f, 1e10f, 1e18f, 4.0f}) {
+        const auto surface = with_vertex_at(far).surface();
+        EXPECT_GT(same_hits(alone, Scene({{surface, dmat4(1.0), 1}}), level_view, told), 3000) << far;
+        moves->set_positions(with_vertex_at(far).positions, true);
+        EXPECT_GT(same_hits(alone, Scene({{moves, dmat4(1.0), 1}}), level_view, told), 3000) << far << ", moved";
+    }
+}
+
 TEST(Bvh, OfASurfaceMovedWithRefitDoesSo) {
     const auto surface = bent(0).surface();
     for (int k = 1; k <= 4; ++k) {

@@ -9,7 +9,7 @@ namespace fovea::image {
 Lattice lattice_over(const View& view, double step_reference_px, int border) {
     constexpr double most_nodes = 1 << 24;
     constexpr double least_step_px = 1.0 / 8.0;  // pictures of a few pixels do not need the nodes of large ones
-    constexpr double farthest = 1e9;              // steps: nodes further from the view axis are not told apart
+    constexpr double farthest = 1e9;             // steps: nodes further from the view axis are not told apart
     Lattice lattice;
     const double room = 1.0 + lattice_margin;
     lattice.step_px = std::max({step_reference_px * view.reference_scale, least_step_px,

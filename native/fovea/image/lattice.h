@@ -10,8 +10,8 @@ namespace fovea::image {
 inline constexpr double lattice_margin = 0.1;
 
 /// Square lattice, stored row by row from the lower left. Its nodes are placed relative to the image of the view axis,
-/// in reference pixels, so that a render border, a crop or a preview of another size uses the same nodes and shows the
-/// same lines.
+/// in reference pixels, so that a render border, a crop or a preview of another size, as long as the step need not be
+/// increased (lattice_over), uses the same nodes and shows the same lines.
 struct Lattice {
     dvec2 first_px{0.0};  ///< node (0, 0), in pixels of the view
     double step_px = 1.0;

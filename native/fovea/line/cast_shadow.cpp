@@ -32,6 +32,10 @@ const Parameters<CastShadow> parameters{
 /// they would cast right behind themselves, within so many of their lengths, is of their corners, not of the surface.
 constexpr double round_turn = 0.8, round_reach = 4.0;
 
+/// Rays that are asked for the shadow of a surface and of each of its edges, at most, by each light: three times what
+/// any but a tangle takes. Edges one after the other share what some of them do not need.
+constexpr std::size_t rays_of_surface = 1 << 16, rays_of_edge = 32, edges_at_once = 64;
+
 /// A piece, and the edge that casts it.
 struct Cast {
     ShadowPiece piece;              // placement `none`: an edge without length, which makes one point of its vertices
@@ -50,8 +54,9 @@ Array<Cast> shadows_of(const LightEye& eye, const Cancel& cancel) {
         const Array<Index> edges = outline_edges(look_at(surface, placement, eye.tracer));
         const dmat4 to_light = eye.from_object(placement);
         const auto place = [&](Index v) { return dvec3(to_light * dvec4(dvec3(surface.positions[v]), 1.0)); };
-        out = parallel_collect<Cast>(edges.size(), 64, [&](std::size_t begin, std::size_t end, auto& part) {
+        out = parallel_collect<Cast>(edges.size(), edges_at_once, [&](std::size_t begin, std::size_t end, auto& part) {
             Array<ShadowPiece> pieces;
+            std::size_t rays = rays_of_surface * (end - begin) / edges.size();
             DarkParts dark(eye);
             for (const Index e : In<Index>(edges).subspan(begin, end - begin)) {
                 pieces.clear();
@@ -63,7 +68,8 @@ Array<Cast> shadows_of(const LightEye& eye, const Cancel& cancel) {
                 }
                 const bool is_round = surface.sides(e).size() == 2 && field::turn_at(surface, e) < round_turn;
                 const double reach = is_round ? round_reach * glm::distance(from, to) : 0.0;
-                append_shadow(eye, dark, {from, to, eye.tracer.ignore_at(placement, e), reach}, pieces);
+                rays += rays_of_edge;
+                append_shadow(eye, dark, {from, to, eye.tracer.ignore_at(placement, e), reach}, rays, pieces);
                 for (Index n = 0; n < pieces.size(); ++n) part.push_back({pieces[n], placement, e, n});
             }
         });

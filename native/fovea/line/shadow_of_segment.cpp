@@ -16,10 +16,12 @@ constexpr int most_looks = 8;
 
 class Shadow {
    public:
-    Shadow(const LightEye& eye, DarkParts& dark, const CastingSegment& segment, Array<ShadowPiece>& out)
+    Shadow(const LightEye& eye, DarkParts& dark, const CastingSegment& segment, std::size_t& rays,
+           Array<ShadowPiece>& out)
         : eye_(eye),
           dark_(dark),
           segment_(segment),
+          rays_(rays),
           out_(out),
           length_(glm::distance(segment.from, segment.to)),
           shortest_(std::max(finest * eye.radius / length_, least_share)) {}
@@ -50,6 +52,8 @@ class Shadow {
 
     At at(double t) {
         if (const Interval dark = dark_.known(t); !dark.is_empty()) return {.t = t, .dark = dark};
+        if (rays_ == 0) return {t};
+        --rays_;
         const dvec3 passed = t == 1.0 ? segment_.to : glm::mix(segment_.from, segment_.to, t);
         const LightEye::Passing way = eye_.pass(passed, segment_.ignore);
         const auto& hit = way.hit;
@@ -83,7 +87,7 @@ class Shadow {
         if ((!a.falls() && !b.falls()) || join(a, b)) return;
         if (!a.falls()) a.t = std::clamp(a.dark.end, a.t, b.t);
         if (!b.falls()) b.t = std::clamp(b.dark.begin, a.t, b.t);
-        if (b.t - a.t <= shortest_) {
+        if (b.t - a.t <= shortest_ || rays_ == 0) {
             if (a.falls() && a.placement == b.placement && glm::distance(a.point, b.point) <= nearest * eye_.radius)
                 append(a, a.point, b.point, a.t, b.t);
             else
@@ -182,6 +186,7 @@ class Shadow {
     const LightEye& eye_;
     DarkParts& dark_;
     const CastingSegment& segment_;
+    std::size_t& rays_;
     Array<ShadowPiece>& out_;
     const double length_, shortest_;  // of the segment; the shortest step, in shares of it
     bool open_ = false;               // the last piece ends where the next part of the segment begins
@@ -189,8 +194,9 @@ class Shadow {
 
 }  // namespace
 
-void append_shadow(const LightEye& eye, DarkParts& dark, const CastingSegment& segment, Array<ShadowPiece>& out) {
-    Shadow(eye, dark, segment, out).trace();
+void append_shadow(const LightEye& eye, DarkParts& dark, const CastingSegment& segment, std::size_t& rays,
+                   Array<ShadowPiece>& out) {
+    Shadow(eye, dark, segment, rays, out).trace();
 }
 
 }  // namespace fovea::line

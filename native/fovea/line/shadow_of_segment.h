@@ -25,7 +25,8 @@ struct ShadowPiece {
 /// it is not known to be dark; where two neighboring rays meet different facets, to the edge between two triangles, or
 /// to 2^-20 of the scene's radius, where it ends, as it falls over an edge or the segment is hidden from the light:
 /// there first where what a ray has met ends, then by bisection. `dark`: of this eye, best of neighboring segments
-/// before.
-void append_shadow(const LightEye& eye, DarkParts& dark, const CastingSegment& segment, Array<ShadowPiece>& out);
+/// before. `rays`: how many may be asked, less those that are; without any left, the segment casts nothing more.
+void append_shadow(const LightEye& eye, DarkParts& dark, const CastingSegment& segment, std::size_t& rays,
+                   Array<ShadowPiece>& out);
 
 }  // namespace fovea::line

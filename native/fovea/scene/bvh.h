@@ -7,6 +7,7 @@
 // depends neither on how a BVH came to be, nor on the version of Embree and the instructions that it uses.
 #pragma once
 
+#include <deque>
 #include <mutex>
 
 #include <fovea/scene/bvh_embree.h>
@@ -44,9 +45,12 @@ float end_of_ray(double t, double longest);
 struct RayContext;
 
 /// BVH over the occluding triangles of a surface. Borrows the surface's arrays and is stored in its lasting cache.
-/// Built with Embree's default quality as long as the surface does not move and is not large, then in a mode that can
-/// be refitted. When vertices move with `refit`, it is refitted, or rebuilt if the triangles differ or have moved so
-/// much relative to each other that the refitted boxes would overlap too much.
+/// Built with Embree's default quality, or by Morton order where the surface is large; once it has moved, in a mode
+/// that can be refitted. When vertices move with `refit`, it is refitted, or rebuilt if the triangles differ or have
+/// moved so much relative to each other that the refitted boxes would overlap too much.
+///
+/// Triangles that reach far beyond most others, as at a vertex that was flung away, are parts of their own: boxes are
+/// as precise as a part is large, and rays would pass all of them.
 class SurfaceBvh {
    public:
     explicit SurfaceBvh(const Surface& surface);
@@ -59,28 +63,34 @@ class SurfaceBvh {
     static void lead_to(Index triangle, RayContext& context);
 
    private:
-    /// What callbacks read: of the surface, and the space of boxes, in which all is within 1 of the origin.
-    struct Triangles {
-        const vec3* positions;
-        const Triangle* triangles;
-        const Index* patches;
-        dvec3 center;
-        double scale;
-        const RTCBounds* boxes;  // of patches, while the BVH is built: builders ask for each several times
+    /// What has a box: a few adjacent triangles.
+    struct Patch {
+        Index begin, end;
+    };
+    /// Triangles with a BVH of their own, and what callbacks read.
+    struct Part {
+        const bool is_whole;  // all of the surface
+        Array<Patch> patches;
+        const vec3* positions = nullptr;
+        const Triangle* triangles = nullptr;
+        dvec3 center{0.0};  // of the space of boxes, in which all is within 1 of the origin
+        double scale = 1.0;
+        const RTCBounds* boxes = nullptr;  // of patches, while it is built: builders ask for each several times
+        OwnedScene scene;
+        RTCGeometry geometry = nullptr;  // owned by the scene
+
+        Part(const Surface& surface, In<std::uint8_t> reach, std::uint8_t of);
+        /// Sets what callbacks read; of it, the boxes as long as they are kept.
+        Array<RTCBounds> take(const Surface& surface);
+        void build(const Surface& surface, bool moves);
     };
     static void box_of(const RTCBoundsFunctionArguments* at);
     static void meet(const RTCIntersectFunctionNArguments* at);
     static void meet(RayContext& context, const vec3* positions, const Triangle& corners, Index triangle);
 
-    void take(const Surface& surface) const;
-    /// The boxes of the patches, which callbacks read as long as they are kept.
-    Array<RTCBounds> take_boxes() const;
     void build(const Surface& surface) const;
 
-    mutable Triangles triangles_;
-    mutable Array<Index> patches_;  // what has a box: a few adjacent triangles; first triangle of each, and the end
-    mutable OwnedScene scene_;
-    mutable RTCGeometry geometry_ = nullptr;  // owned by scene_
+    mutable std::deque<Part> parts_;  // callbacks have their addresses
     mutable std::mutex mutex_;
     mutable bool moves_ = false;  // follow() has found moved vertices before
     // surface version; hash of the triangles and of the arrays' addresses

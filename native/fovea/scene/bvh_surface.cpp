@@ -14,6 +14,7 @@
 #include <fovea/base/hash.h>
 #include <fovea/base/morton.h>
 #include <fovea/base/parallel.h>
+#include <fovea/scene/box_tree.h>
 #include <fovea/scene/bvh.h>
 
 namespace fovea::scene {
@@ -35,28 +36,6 @@ int shared_corners(const Triangle& a, const Triangle& b) {
     return shared;
 }
 
-/// Patches of the occluding triangles: each is consecutive triangles, of which each shares corners with one before it.
-/// Those of `many` are larger, since rows of quads share corners, but not sides: building takes less of a frame's time
-/// then, and rays a little more. The number of the first triangle of each patch, and at last that of all triangles.
-Array<Index> patches(const Surface& surface) {
-    const auto& triangles = surface.triangles;
-    const bool few = surface.occluding_triangles < many;
-    const Index most = few ? 4 : 8;
-    const int least_shared = few ? 2 : 1;
-    const auto fill = [&](std::size_t begin, std::size_t end, Array<Index>& first) {
-        for (auto i = static_cast<Index>(begin); i < end; ++i) {
-            const auto belongs = [&](Index j) { return shared_corners(triangles[j], triangles[i]) >= least_shared; };
-            bool found = false;
-            if (i > begin && i - first.back() < most)
-                for (Index j = first.back(); j < i && !found; ++j) found = belongs(j);
-            if (!found) first.push_back(i);
-        }
-    };
-    Array<Index> first = parallel_collect<Index>(surface.occluding_triangles, 1 << 14, fill);
-    first.push_back(surface.occluding_triangles);
-    return first;
-}
-
 /// Commits a scene as if no parallel loop called it. An Embree scene keeps the task group of its first commit, and that
 /// the context which it began in: the context of a loop ends with the loop, and cancelling anything later would walk
 /// over what is left of it. This arena's own lasts; it has a slot for whoever calls, so that none of them hands its
@@ -72,11 +51,44 @@ vec3 middle(const Surface& surface, Index triangle) {
     return (surface.positions[t[0]] + surface.positions[t[1]] + surface.positions[t[2]]) / 3.0f;
 }
 
+/// Some of the occluding triangles.
+Array<Index> probed(const Surface& surface) {
+    Array<Index> chosen(std::min(probes, surface.occluding_triangles));
+    for (std::size_t i = 0; i < chosen.size(); ++i)
+        chosen[i] = static_cast<Index>(std::uint64_t(i) * surface.occluding_triangles / chosen.size());
+    return chosen;
+}
+
+/// In median distances of triangles from their midst, how far the first part reaches; and times that the next ones.
+constexpr double first_reach = 128.0, next_reach = 1024.0;
+
+/// The parts of the occluding triangles, by how far each reaches; empty if all are of part 0, which is known of nearly
+/// all surfaces by some of their triangles.
+Array<std::uint8_t> reach_of_triangles(const Surface& surface) {
+    const Array<Index> chosen = probed(surface);
+    if (chosen.empty()) return {};
+    const auto median = [&](const auto& value) {
+        Array<double> values(chosen.size());
+        for (std::size_t i = 0; i < chosen.size(); ++i) values[i] = value(chosen[i]);
+        std::ranges::nth_element(values, values.begin() + values.size() / 2);
+        return values[values.size() / 2];
+    };
+    dvec3 midst;
+    for (int k = 0; k < 3; ++k) midst[k] = median([&](Index t) { return middle(surface, t)[k]; });
+    const double usual = first_reach * median([&](Index t) { return glm::distance(dvec3(middle(surface, t)), midst); });
+    if (2.0 * surface.radius <= usual || usual == 0.0) return {};
+    return parallel_map<std::uint8_t>(surface.occluding_triangles, [&](std::size_t t) {
+        double farthest = 0.0;
+        for (int k = 0; k < 3; ++k)
+            farthest = std::max(farthest, glm::distance(dvec3(surface.positions[surface.triangles[t][k]]), midst));
+        std::uint8_t reach = 0;
+        for (double within = usual; farthest > within; within *= next_reach) ++reach;
+        return reach;
+    });
+}
+
 Array<Index> neighbors(const Surface& surface) {
-    const Index count = std::min(probes, surface.occluding_triangles);
-    Array<Index> chosen(count);
-    for (Index i = 0; i < count; ++i)
-        chosen[i] = static_cast<Index>(std::uint64_t(i) * surface.occluding_triangles / count);
+    Array<Index> chosen = probed(surface);
     const float size = std::max(2.0f * surface.radius, 1e-30f);
     const auto key = [&](Index t) {
         const vec3 share = (middle(surface, t) - surface.center) / size + 0.5f;
@@ -147,51 +159,91 @@ SurfaceBvh::SurfaceBvh(const Surface& surface) {
     version_ = surface.version();
 }
 
+/// Of the occluding triangles with this reach, or of all, if `reach` is empty. Patches are consecutive triangles, of
+/// which each shares corners with one before it. Those of `many` are larger, since rows of quads share corners, but not
+/// sides: building takes less of a frame's time then, and rays a little more.
+SurfaceBvh::Part::Part(const Surface& surface, In<std::uint8_t> reach, std::uint8_t of) : is_whole(reach.empty()) {
+    const bool few = surface.occluding_triangles < many;
+    const Index most = few ? 4 : 8;
+    const int least_shared = few ? 2 : 1;
+    patches = parallel_collect<Patch>(surface.occluding_triangles, 1 << 14, [&](auto begin, auto end, auto& found) {
+        for (auto i = static_cast<Index>(begin); i < end; ++i) {
+            if (!reach.empty() && reach[i] != of) continue;
+            const auto shares = [&](Index j) {
+                return shared_corners(surface.triangles[j], surface.triangles[i]) >= least_shared;
+            };
+            bool belongs = false;
+            if (!found.empty() && found.back().end == i && i - found.back().begin < most)
+                for (Index j = found.back().begin; j < i && !belongs; ++j) belongs = shares(j);
+            if (belongs)
+                found.back().end = i + 1;
+            else
+                found.push_back({i, i + 1});
+        }
+    });
+}
+
+void SurfaceBvh::Part::build(const Surface& surface, bool moves) {
+    scene.reset(rtcNewScene(bvh_device()));
+    if (moves) rtcSetSceneFlags(scene.get(), RTC_SCENE_FLAG_DYNAMIC);
+    geometry = attach_boxes(scene.get(), patches.size(), box_of, meet, this);
+    if (moves || surface.occluding_triangles >= some) {
+        rtcSetSceneBuildQuality(scene.get(), RTC_BUILD_QUALITY_LOW);  // Embree looks at that of geometries then
+        rtcSetGeometryBuildQuality(geometry, moves ? RTC_BUILD_QUALITY_REFIT : RTC_BUILD_QUALITY_LOW);
+        rtcCommitGeometry(geometry);
+    }
+    const Array<RTCBounds> kept = take(surface);
+    build_bvh(scene.get(), surface.name());
+}
+
+Array<RTCBounds> SurfaceBvh::Part::take(const Surface& surface) {
+    const auto around = [&](const Patch& patch) {
+        Box box{vec3(infinity), vec3(-infinity)};
+        for (Index i = patch.begin; i < patch.end; ++i)
+            for (int k = 0; k < 3; ++k) {
+                const vec3& corner = surface.positions[surface.triangles[i][k]];
+                box = {glm::min(box.low, corner), glm::max(box.high, corner)};
+            }
+        return box;
+    };
+    positions = surface.positions.data();
+    triangles = surface.triangles.data();
+    center = dvec3(surface.center);
+    double radius = surface.radius;
+    if (!is_whole) {
+        Box all{vec3(infinity), vec3(-infinity)};
+        for (const Patch& patch : patches) {
+            const Box box = around(patch);
+            all = {glm::min(all.low, box.low), glm::max(all.high, box.high)};
+        }
+        center = 0.5 * (dvec3(all.low) + dvec3(all.high));
+        radius = 0.5 * glm::distance(dvec3(all.low), dvec3(all.high));
+    }
+    scale = 1.0 / std::max(radius, std::numeric_limits<double>::min());
+    Array<RTCBounds> made = parallel_map<RTCBounds>(patches.size(), [&](std::size_t i) {
+        const Box box = around(patches[i]);
+        return box_between((dvec3(box.low) - center) * scale, (dvec3(box.high) - center) * scale, 1.0);
+    });
+    boxes = made.data();
+    return made;
+}
+
 void SurfaceBvh::build(const Surface& surface) const {
     hash_ = 0;  // of no triangles, until it is built
-    patches_ = patches(surface);
-    take(surface);
-    scene_.reset(rtcNewScene(bvh_device()));
-    if (moves_) rtcSetSceneFlags(scene_.get(), RTC_SCENE_FLAG_DYNAMIC);
-    const bool quick = surface.occluding_triangles >= some;
-    if (moves_ || quick)
-        rtcSetSceneBuildQuality(scene_.get(), RTC_BUILD_QUALITY_LOW);  // Embree looks at that of geometries then
-    geometry_ = attach_boxes(scene_.get(), patches_.size() - 1, box_of, meet, &triangles_);
-    if (moves_ || quick) {
-        rtcSetGeometryBuildQuality(geometry_, moves_ ? RTC_BUILD_QUALITY_REFIT : RTC_BUILD_QUALITY_LOW);
-        rtcCommitGeometry(geometry_);
+    parts_.clear();
+    const Array<std::uint8_t> reach = reach_of_triangles(surface);
+    const int most = reach.empty() ? 0 : *std::ranges::max_element(reach);
+    for (int of = 0; of <= most; ++of) {
+        parts_.emplace_back(surface, reach, static_cast<std::uint8_t>(of));
+        if (parts_.back().patches.empty())
+            parts_.pop_back();
+        else
+            parts_.back().build(surface, moves_);
     }
-    const Array<RTCBounds> boxes = take_boxes();
-    build_bvh(scene_.get(), surface.name());
     if (!moves_) return;
     hash_ = hash_of_triangles(surface);
     neighbors_ = neighbors(surface);
     spread_ = spread(surface, neighbors_);
-}
-
-void SurfaceBvh::take(const Surface& surface) const {
-    triangles_ = {surface.positions.data(),
-                  surface.triangles.data(),
-                  patches_.data(),
-                  dvec3(surface.center),
-                  1.0 / std::max(double(surface.radius), std::numeric_limits<double>::min()),
-                  nullptr};
-}
-
-Array<RTCBounds> SurfaceBvh::take_boxes() const {
-    Array<RTCBounds> boxes = parallel_map<RTCBounds>(patches_.size() - 1, [&](std::size_t patch) {
-        vec3 lower(infinity), upper(-infinity);
-        for (Index i = patches_[patch]; i < patches_[patch + 1]; ++i)
-            for (int k = 0; k < 3; ++k) {
-                const vec3& corner = triangles_.positions[triangles_.triangles[i][k]];
-                lower = glm::min(lower, corner);
-                upper = glm::max(upper, corner);
-            }
-        const dvec3& center = triangles_.center;
-        return box_between((dvec3(lower) - center) * triangles_.scale, (dvec3(upper) - center) * triangles_.scale, 1.0);
-    });
-    triangles_.boxes = boxes.data();
-    return boxes;
 }
 
 void SurfaceBvh::follow(const Surface& surface) const {
@@ -199,11 +251,12 @@ void SurfaceBvh::follow(const Surface& surface) const {
     if (version_ == surface.version()) return;
     // Isolated: a thread that waits for others in here takes no task that waits for this lock.
     tbb::this_task_arena::isolate([&] {
-        if (moves_ && hash_of_triangles(surface) == hash_ && spread(surface, neighbors_) <= worst_spread * spread_) {
-            take(surface);
-            const Array<RTCBounds> boxes = take_boxes();
-            rtcCommitGeometry(geometry_);
-            commit(scene_.get());
+        if (moves_ && hash_of_triangles(surface) == hash_ && spread(surface, neighbors_) <= worst_spread * spread_ &&
+            parts_.size() == 1 && parts_.front().is_whole && reach_of_triangles(surface).empty()) {
+            Part& all = parts_.front();
+            const Array<RTCBounds> boxes = all.take(surface);
+            rtcCommitGeometry(all.geometry);
+            commit(all.scene.get());
             check_bvh_device(surface.name());
         } else {
             moves_ = true;
@@ -214,14 +267,18 @@ void SurfaceBvh::follow(const Surface& surface) const {
 }
 
 void SurfaceBvh::lead(RayContext& context) const {
-    // The ray begins where it can first meet the sphere around the surface.
-    const dvec3 along = context.local.direction, way = triangles_.center - context.local.origin;
-    const double longest = std::abs(along[context.local.z]), radius = 1.0 / triangles_.scale;
-    context.first_t = std::max(context.near_t, glm::dot(way, along) / glm::dot(along, along) - radius / longest);
-    context.longest = longest * triangles_.scale;
-    RTCRayHit ray = ray_through_boxes((context.first_t * along - way) * triangles_.scale, along * triangles_.scale, 0.0,
-                                      context.far_t - context.first_t);
-    follow_ray(scene_.get(), ray, context);
+    const dvec3 along = context.local.direction;
+    const double longest = std::abs(along[context.local.z]), length_squared = glm::dot(along, along);
+    for (const Part& part : parts_) {
+        // The ray begins where it can first meet the sphere around the part.
+        const dvec3 way = part.center - context.local.origin;
+        const double radius = 1.0 / part.scale;
+        context.first_t = std::max(context.near_t, glm::dot(way, along) / length_squared - radius / longest);
+        context.longest = longest * part.scale;
+        RTCRayHit ray = ray_through_boxes((context.first_t * along - way) * part.scale, along * part.scale, 0.0,
+                                          context.far_t - context.first_t);
+        follow_ray(part.scene.get(), ray, context);
+    }
 }
 
 void SurfaceBvh::lead_to(Index triangle, RayContext& context) {
@@ -235,15 +292,15 @@ void SurfaceBvh::meet(RayContext& context, const vec3* p, const Triangle& t, Ind
 }
 
 void SurfaceBvh::box_of(const RTCBoundsFunctionArguments* at) {
-    *at->bounds_o = static_cast<const Triangles*>(at->geometryUserPtr)->boxes[at->primID];
+    *at->bounds_o = static_cast<const Part*>(at->geometryUserPtr)->boxes[at->primID];
 }
 
 void SurfaceBvh::meet(const RTCIntersectFunctionNArguments* at) {
-    const Triangles& of = *static_cast<const Triangles*>(at->geometryUserPtr);
+    const Part& of = *static_cast<const Part*>(at->geometryUserPtr);
     auto& context = *static_cast<RayContext*>(at->context);
     const double before = context.far_t;
-    for (Index i = of.patches[at->primID]; i < of.patches[at->primID + 1]; ++i)
-        meet(context, of.positions, of.triangles[i], i);
+    const Patch& patch = of.patches[at->primID];
+    for (Index i = patch.begin; i < patch.end; ++i) meet(context, of.positions, of.triangles[i], i);
     if (context.far_t != before)
         RTCRayN_tfar(RTCRayHitN_RayN(at->rayhit, 1), 1, 0) =
             end_of_ray(context.far_t - context.first_t, context.longest);
