@@ -27,8 +27,19 @@ class MeshArrays:
 class Buffers:
     """Named arrays that only grow, because allocating new memory is slower than reading the mesh."""
 
+    MOST_BESIDE_SURFACES = 64 << 20  # bytes
+
     def __init__(self):
         self._arrays = {}
+
+    @property
+    def nbytes(self):
+        return sum(array.nbytes for array in self._arrays.values())
+
+    def make_room(self):
+        """Gives large buffers back, for what is computed of surfaces that were just built."""
+        if self.nbytes > self.MOST_BESIDE_SURFACES:
+            self._arrays.clear()
 
     def take(self, name, shape, dtype):
         """An uninitialized array of that shape; invalidates the array taken before under the name."""

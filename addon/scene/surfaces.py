@@ -43,8 +43,8 @@ class SurfaceCache:
         self._core, self._refit = core, refit
         self.entries = {}
         self._asked = {}  # key -> number of its uses in this pass
-        self._buffers = mesh_arrays.Buffers()
-        self.at_rest = AtRest(core, self._buffers)
+        self.buffers = mesh_arrays.Buffers()
+        self.at_rest = AtRest(core, self.buffers)
         self.rebuilt = []  # surfaces built in this pass
         self.moved = []  # surfaces whose positions changed in this pass
         self.remarks = []  # sentences for the user about surfaces built in this pass
@@ -59,6 +59,8 @@ class SurfaceCache:
 
     def end(self, kept_passes):
         """Ends a pass: drops surfaces that were not used in the last `kept_passes` passes."""
+        if self.rebuilt:
+            self.buffers.make_room()
         self.entries = {key: entry for key, entry in self.entries.items() if entry.age < kept_passes}
 
     def items(self, needed):
@@ -84,7 +86,7 @@ class SurfaceCache:
         entry = self.entries.get(key)
         changed = entry is None or (entry.topology, entry.positions) != (topology, positions)
         if changed:
-            triangles = mesh_arrays.ngon_triangles(mesh, arrays.polygon_offsets, self._buffers)
+            triangles = mesh_arrays.ngon_triangles(mesh, arrays.polygon_offsets, self.buffers)
             ngons = self._hashes(triangles.values())
             if entry is not None and repair is None and (entry.topology, entry.ngons) == (topology, ngons):
                 self._move(entry, arrays, positions)
@@ -129,7 +131,7 @@ class SurfaceCache:
         """
         key = self._ordered((key, plan, repair))
         _, _, topology, positions = self._read(mesh, slots, with_marks)
-        seen = (*topology, *self._hashes(mesh_arrays.creases(mesh, self._buffers)), positions)
+        seen = (*topology, *self._hashes(mesh_arrays.creases(mesh, self.buffers)), positions)
         entry = self.entries.get(key)
         if entry is None or entry.seen != seen:
             with cage() as mesh:
@@ -148,13 +150,13 @@ class SurfaceCache:
         A repaired cage has different edges, so creases are dropped.
         """
         arrays, static, topology, positions = self._read(cage, slots, with_marks)
-        creases = mesh_arrays.creases(cage, self._buffers) if plan.use_creases and not repair else (None, None)
+        creases = mesh_arrays.creases(cage, self.buffers) if plan.use_creases and not repair else (None, None)
         topology += self._hashes(creases)
         moved = entry is not None and entry.positions != positions
         if entry is None or entry.topology != topology or (moved and repair):
             entry = _Entry(None, topology, positions, ())
             # OpenSubdiv needs no triangulation, but a repair does.
-            triangles = mesh_arrays.ngon_triangles(cage, arrays.polygon_offsets, self._buffers) if repair else {}
+            triangles = mesh_arrays.ngon_triangles(cage, arrays.polygon_offsets, self.buffers) if repair else {}
             whole = self._core.Mesh(positions=arrays.positions, **static, **triangles)
             whole = self._repaired(name, whole, repair)
             try:
@@ -200,11 +202,11 @@ class SurfaceCache:
     def _read(self, mesh, slots, with_marks):
         """(MeshArrays, keyword arguments of a native Mesh without the positions, topology hashes of these, content
         hashes of the positions and of those at rest that the mesh has)."""
-        arrays = mesh_arrays.read(self._core, mesh, self._buffers, with_marks=with_marks)
+        arrays = mesh_arrays.read(self._core, mesh, self.buffers, with_marks=with_marks)
         static = {**vars(arrays), **_per_polygon(arrays, slots)}
         del static["positions"]
         topology = (len(arrays.positions), *self._hashes(static.values()))
-        at_rest = mesh_arrays.vectors(mesh, REST, self._buffers)
+        at_rest = mesh_arrays.vectors(mesh, REST, self.buffers)
         return arrays, static, topology, self._hashes((arrays.positions, at_rest))
 
     def _hashes(self, arrays):

@@ -15,7 +15,8 @@ from measure_kept import ball, megabytes
 from pictures import box_scene, drawn
 from the_addon import part, use_style
 
-kept, preferences, session = part("scene.kept"), part("ui.preferences"), part("render.session")
+kept, mesh_arrays = part("scene.kept"), part("scene.mesh_arrays")
+preferences, session = part("ui.preferences"), part("render.session")
 
 
 @pytest.fixture
@@ -52,6 +53,15 @@ def test_within_the_limit_all_is_kept_and_beyond_it_nothing_more_than_it(scene, 
     alone = drawn(scene, tmp_path / "d.png")
     assert megabytes() <= 1
     assert all(np.array_equal(first, other) for other in (again, bounded, alone))
+
+
+def test_what_large_meshes_are_read_into_makes_room_for_what_is_computed_of_them(scene, tmp_path, monkeypatch):
+    monkeypatch.setattr(mesh_arrays.Buffers, "MOST_BESIDE_SURFACES", 0)
+    drawn(scene, tmp_path / "a.png")
+    surfaces = session.readers["RENDER"].surfaces
+    assert len(surfaces.rebuilt) == 4 and surfaces.buffers.nbytes == 0
+    drawn(scene, tmp_path / "b.png")
+    assert surfaces.rebuilt == [] and surfaces.buffers.nbytes > 0, "the next frame reads into them, too"
 
 
 def test_the_longest_unused_goes_first(scene, tmp_path):

@@ -51,6 +51,22 @@ Quality quality_of(const RepairedMesh& mesh) {
 
 }  // namespace
 
+TEST(Repair, APolygonWhoseTrianglesNameOthersVerticesIsKeptAsItIs) {
+    Mesh mesh = grid(8);
+    const int first = static_cast<int>(mesh.positions.size());
+    for (const vec3& p : l_shape().positions) mesh.positions.push_back(p + vec3(0, 0, 5));
+    mesh.add_polygon({first, first + 1, first + 2, first + 3, first + 4, first + 5});
+    const int polygon = static_cast<int>(mesh.polygon_offsets.size()) - 2, inside = 40;
+    for (const glm::ivec3& t : {glm::ivec3(0, 1, 2), {0, 2, 3}, {0, 3, 5}}) mesh.ngon_triangles.push_back(first + t);
+    mesh.ngon_triangles.push_back({first + 3, first + 4, inside});
+    mesh.ngon_polygon.assign(4, polygon);
+    const RepairedMesh made = repaired(mesh, {.resample = 5, .edge_length = 1.0});
+    EXPECT_TRUE(made.ngon_triangles.empty());
+    const std::size_t last = made.polygon_offsets.size() - 1;
+    EXPECT_EQ(made.polygon_offsets[last] - made.polygon_offsets[last - 1], 6) << "its own corners";
+    EXPECT_EQ(surface_of(made).report().degenerate_polygons, 0u);
+}
+
 TEST(Repair, ClosedPartsFaceOutwards) {
     std::mt19937 random(5);
     for (int turned = 0; turned < 8; ++turned) {

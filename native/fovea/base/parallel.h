@@ -46,10 +46,12 @@ void parallel_for(std::size_t count, const Body& body) {
     parallel_for(count, 4096, body);
 }
 
-/// make(i) for every i in [0, count).
+/// make(i) for every i in [0, count); with room for one more, as counts_to_offsets adds.
 template <typename T, typename Make>
 Array<T> parallel_map(std::size_t count, const Make& make) {
-    Array<T> made(count);
+    Array<T> made;
+    made.reserve(count + 1);
+    made.resize(count);
     parallel_for(count, [&](std::size_t i) { made[i] = make(i); });
     return made;
 }
@@ -155,12 +157,16 @@ Lists<Index> lists_from(Array<Index> counts, const First& first) {
 template <typename T, typename Each>
 Lists<T> lists_of(std::size_t count, const Each& each) {
     Lists<T> lists;
-    lists.offsets.assign(count, 0);
-    each([&](std::size_t list, const T&) { ++lists.offsets[list]; });
-    counts_to_offsets(lists.offsets);
-    lists.values.resize(lists.offsets.back());
-    Array<Index> next(lists.offsets.begin(), lists.offsets.end() - 1);
-    each([&](std::size_t list, const T& value) { lists.values[next[list]++] = value; });
+    Array<Index>& offsets = lists.offsets;
+    offsets.reserve(count + 1);
+    offsets.assign(count, 0);
+    each([&](std::size_t list, const T&) { ++offsets[list]; });
+    counts_to_offsets(offsets);
+    lists.values.resize(offsets.back());
+    each([&](std::size_t list, const T& value) { lists.values[offsets[list]++] = value; });
+    // Where a list ends by now, the next one begins.
+    std::copy_backward(offsets.begin(), offsets.begin() + count, offsets.end());
+    offsets[0] = 0;
     return lists;
 }
 

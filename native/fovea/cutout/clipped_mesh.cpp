@@ -14,23 +14,20 @@ constexpr double least_piece = 1e-3;  // texels; smaller pieces are left out
 
 bool finite(const vec2& p) { return std::isfinite(p.x) && std::isfinite(p.y); }
 
-/// The triangles of each polygon: those of larger polygons come with the mesh, but where they name a vertex that is
-/// none of its corners.
+/// The triangles of each polygon: those of larger polygons come with the mesh.
 class Triangulation {
    public:
-    explicit Triangulation(const MeshArrays& mesh) : mesh_(mesh) {}
+    explicit Triangulation(const MeshArrays& mesh) : mesh_(mesh), given_(mesh) {}
 
     std::vector<Corners> of(std::size_t polygon) const {
         const Index begin = mesh_.polygon_offsets[polygon], end = mesh_.polygon_offsets[polygon + 1];
+        const auto corner = [&](Index vertex) {
+            const auto corners = mesh_.corner_verts.begin();
+            return Index(std::find(corners + begin, corners + end, int(vertex)) - corners);
+        };
         std::vector<Corners> found;
-        const auto range = std::equal_range(mesh_.ngon_polygon.begin(), mesh_.ngon_polygon.end(), int(polygon));
-        for (auto t = range.first; t != range.second && end - begin > 4; ++t) {
-            const glm::ivec3& v = mesh_.ngon_triangles[t - mesh_.ngon_polygon.begin()];
-            found.push_back({corner(begin, end, v.x), corner(begin, end, v.y), corner(begin, end, v.z)});
-        }
-        const auto is_own = [&](const Corners& c) { return std::max({c[0], c[1], c[2]}) < end; };
-        if (!found.empty() && std::ranges::all_of(found, is_own)) return found;
-        found.clear();
+        for (const Triangle& t : given_.of(polygon)) found.push_back({corner(t.x), corner(t.y), corner(t.z)});
+        if (!found.empty()) return found;
         std::vector<vec3> outline;
         for (Index c = begin; c < end; ++c) outline.push_back(mesh_.positions[mesh_.corner_verts[c]]);
         if (std::all_of(outline.begin(), outline.end(), [](const vec3& p) { return std::isfinite(p.x + p.y + p.z); }))
@@ -39,12 +36,8 @@ class Triangulation {
     }
 
    private:
-    /// `end` if there is none.
-    Index corner(Index begin, Index end, int vertex) const {
-        const auto corners = mesh_.corner_verts.begin();
-        return Index(std::find(corners + begin, corners + end, vertex) - corners);
-    }
     const MeshArrays& mesh_;
+    NgonTriangles given_;
 };
 
 /// Side of a texel in object space: the mean over the polygons of a cut.

@@ -123,11 +123,9 @@ FOVEA_PART_OF_CALLER void add_column(const Heights& points, std::size_t begin, s
     for (int i = 0; i < count; ++i) sums[place(i, j)] = sum[i];
 }
 
-/// Weighted sums of all monomials up to twice the degree (moments), and of z times monomials up to the degree.
+/// Adds weighted sums of all monomials up to twice the degree (moments), and of z times monomials up to the degree.
 template <int degree>
 FOVEA_PART_OF_CALLER void add_up(const Heights& points, Lanes* moments, Lanes* heights) {
-    std::fill_n(moments, terms(2 * degree), Lanes{});
-    std::fill_n(heights, terms(degree), Lanes{});
     Lanes column[rows_at_once];
     const std::size_t rows = points.x.size() / Heights::lanes;
     for (std::size_t begin = 0; begin < rows; begin += rows_at_once) {
@@ -197,7 +195,7 @@ FOVEA_PART_OF_CALLER bool take(const Heights& points, const Lanes* moments, cons
 
 /// fit_heights.
 FOVEA_PART_OF_CALLER void fit(int degree, const Heights& points, Polynomials* found) {
-    Lanes moments[moment_count], heights[max_size];
+    Lanes moments[moment_count]{}, heights[max_size]{};
     degree >= 4 ? add_up<4>(points, moments, heights) : add_up<3>(points, moments, heights);
     if (degree >= 4 && !take<4>(points, moments, heights, found)) return;
     if (degree >= 3 && !take<3>(points, moments, heights, found)) return;

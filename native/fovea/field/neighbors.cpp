@@ -152,11 +152,11 @@ struct Fan {
     }
     /// In ascending order; `beyond` at the end, and where one occurs twice. The place of each is how many are less,
     /// which takes no branches.
-    static std::array<int, most + 1> sorted(const std::array<int, most>& ends) {
+    static std::array<int, most> sorted(const std::array<int, most>& ends) {
         std::array<int, most> less{};
         for (int j = 0; j < most; ++j)
             for (int i = 0; i < most; ++i) less[i] += ends[j] < ends[i];
-        std::array<int, most + 1> placed;
+        std::array<int, most> placed;
         placed.fill(beyond);
         for (int i = 0; i < most; ++i) placed[less[i]] = ends[i];
         return placed;

@@ -77,9 +77,12 @@ Array<Index> edge_numbers(const MeshArrays& mesh, In<Index> corner_edges) {
     return number;
 }
 
-/// The triangulations of polygons; none of a polygon where they name a vertex that is none of its corners.
-Lists<Triangle> own_triangulations(const MeshArrays& mesh, std::size_t polygons) {
-    Array<std::uint8_t> foreign(polygons, 0);
+}  // namespace
+
+NgonTriangles::NgonTriangles(const MeshArrays& mesh) {
+    if (mesh.ngon_polygon.empty()) return;
+    const std::size_t polygons = mesh.polygon_offsets.size() - 1;
+    Array<std::uint8_t> refused(polygons, 0);
     std::vector<int> corners;
     for (std::size_t t = 0; t < mesh.ngon_polygon.size(); ++t) {
         const int f = mesh.ngon_polygon[t];
@@ -87,16 +90,15 @@ Lists<Triangle> own_triangulations(const MeshArrays& mesh, std::size_t polygons)
             const auto all = mesh.corner_verts.begin();
             corners.assign(all + mesh.polygon_offsets[f], all + mesh.polygon_offsets[f + 1]);
             std::ranges::sort(corners);
+            refused[f] = corners.size() <= 4;
         }
-        for (int i = 0; i < 3; ++i) foreign[f] |= !std::ranges::binary_search(corners, mesh.ngon_triangles[t][i]);
+        for (int i = 0; i < 3; ++i) refused[f] |= !std::ranges::binary_search(corners, mesh.ngon_triangles[t][i]);
     }
-    return lists_of<Triangle>(polygons, [&](const auto& give) {
+    lists_ = lists_of<Triangle>(polygons, [&](const auto& give) {
         for (std::size_t t = 0; t < mesh.ngon_polygon.size(); ++t)
-            if (!foreign[mesh.ngon_polygon[t]]) give(mesh.ngon_polygon[t], Triangle(mesh.ngon_triangles[t]));
+            if (!refused[mesh.ngon_polygon[t]]) give(mesh.ngon_polygon[t], Triangle(mesh.ngon_triangles[t]));
     });
 }
-
-}  // namespace
 
 void check_mesh(const std::string& name, const MeshArrays& mesh) {
     const std::size_t corners = mesh.corner_verts.size(), edge_count = mesh.edge_verts.size();
@@ -138,7 +140,7 @@ void Surface::set_positions(In<vec3> moved, bool refit) {
                                                                    " positions for " + std::to_string(vertex_count()) +
                                                                    " vertices; give one for each");
     positions.resize(moved.size() + 1);
-    std::copy(moved.begin(), moved.end(), positions.begin());
+    parallel_for(moved.size(), [&](std::size_t v) { positions[v] = moved[v]; });
     positions.back() = vec3(0.0f);
     jets.clear();
     version_ = next_version();
@@ -168,7 +170,7 @@ void Surface::take_topology(const MeshArrays& mesh) {
 
     polygons_.offsets.assign(mesh.polygon_offsets.begin(), mesh.polygon_offsets.end());
     if (polygons_.offsets.empty()) polygons_.offsets.push_back(0);
-    corner_verts_.assign(mesh.corner_verts.begin(), mesh.corner_verts.end());
+    corner_verts_ = parallel_map<Index>(mesh.corner_verts.size(), [&](std::size_t c) { return mesh.corner_verts[c]; });
     corner_edges_ = corner_edges_of(mesh);
     const Array<Index> number = edge_numbers(mesh, corner_edges_);
     parallel_for(corner_edges_.size(), [&](std::size_t c) {
@@ -192,7 +194,7 @@ void Surface::take_topology(const MeshArrays& mesh) {
     mark(mesh.edge_mark, mark_edge);
     mark(mesh.smooth, mark_smooth);
 
-    if (!mesh.ngon_polygon.empty()) ngon_triangles_ = own_triangulations(mesh, polygon_total);
+    ngon_triangles_ = NgonTriangles(mesh);
 }
 
 void Surface::build_edge_corners() {

@@ -63,6 +63,19 @@ inline constexpr const char* mesh_is_broken = "; the mesh is broken (Mesh > Vali
 /// Throws std::invalid_argument, naming the object, when array sizes or indices do not fit together.
 void check_mesh(const std::string& name, const MeshArrays& mesh);
 
+/// The triangles that a mesh comes with for polygons of more than four corners. A polygon of which one names a vertex
+/// that is none of its corners has none.
+class NgonTriangles {
+   public:
+    NgonTriangles() = default;
+    explicit NgonTriangles(const MeshArrays& mesh);
+    /// Vertices, in the mesh's order.
+    In<Triangle> of(std::size_t polygon) const { return lists_.count() ? lists_[Index(polygon)] : In<Triangle>(); }
+
+   private:
+    Lists<Triangle> lists_;  // no rows where no polygon has any
+};
+
 /// Bits of edge marks.
 enum Mark : std::uint8_t { mark_sharp = 1, mark_seam = 2, mark_edge = 4, mark_smooth = 8 };
 
@@ -221,18 +234,17 @@ class Surface : public SurfaceArrays {
         Index facet, corner;
     };
     /// Tells which facet is at each corner's side of a polygon of several, and adds its diagonals between them.
-    void split_bent_polygon(Index polygon, std::vector<TriangleSide>& scratch, Array<Diagonal>& diagonals);
-    void split_bent_quad(Index quad, Array<Diagonal>& diagonals);
+    void split_bent_polygon(Index polygon, std::vector<TriangleSide>& scratch, Array<Index>& corner_facet,
+                            Array<Diagonal>& diagonals) const;
+    void split_bent_quad(Index quad, Array<Index>& corner_facet, Array<Diagonal>& diagonals) const;
 
     std::string name_;
     Rows polygons_;  // corners of polygons
     Array<Index> corner_verts_;
-    Array<Index> corner_edges_;       // per corner; none where the mesh names an edge between other vertices
-    Lists<Index> edge_corners_;       // corners whose side runs along each mesh edge
-    Lists<Triangle> ngon_triangles_;  // per polygon; no lists where no polygon has any
+    Array<Index> corner_edges_;  // per corner; none where the mesh names an edge between other vertices
+    Lists<Index> edge_corners_;  // corners whose side runs along each mesh edge
+    NgonTriangles ngon_triangles_;
     Array<std::uint8_t> polygon_occludes_;
-    Array<Index> corner_facet_;  // per corner: the facet bounded by the side that starts there
-
     Rows polygon_triangles_;
     SurfaceReport report_;
     FieldOptions field_options_;

@@ -137,10 +137,9 @@ void Surface::find_duplicates(Array<std::uint8_t>& skip) {
 }
 
 void Surface::triangulate(const Array<std::uint8_t>& skip) {
-    const auto given = [&](std::size_t f) { return ngon_triangles_.count() ? ngon_triangles_.size(Index(f)) : 0; };
     polygon_triangles_.offsets = parallel_map<Index>(polygon_count(), [&](std::size_t f) {
-        const Index corners = polygons_.size(f);
-        return skip[f] ? 0 : corners > 4 && given(f) ? given(f) : corners - 2;
+        const auto given = Index(ngon_triangles_.of(f).size());
+        return skip[f] ? 0 : given ? given : polygons_.size(f) - 2;
     });
     counts_to_offsets(polygon_triangles_.offsets);
     triangles.resize(polygon_triangles_.offsets.back());
@@ -148,10 +147,9 @@ void Surface::triangulate(const Array<std::uint8_t>& skip) {
         if (skip[f]) return;
         const In<Index> v = polygon_vertices(Index(f));
         Triangle* out = triangles.data() + polygon_triangles_.begin(f);
-        const Index corners = polygons_.size(f), count = polygon_triangles_.size(f);
-        if (corners > 4 && given(f)) {
-            std::ranges::copy(ngon_triangles_[Index(f)], out);
-        } else if (corners == 4) {
+        if (const In<Triangle> given = ngon_triangles_.of(f); !given.empty()) {
+            std::ranges::copy(given, out);
+        } else if (v.size() == 4) {
             // Split along diagonal 0-2, unless it lies outside (a concave quad): then the two halves would face
             // opposite ways.
             const dvec3 origin(positions[v[0]]), diagonal = dvec3(positions[v[2]]) - origin;
@@ -161,21 +159,21 @@ void Surface::triangulate(const Array<std::uint8_t>& skip) {
             out[0] = flip ? Triangle(v[1], v[2], v[3]) : Triangle(v[0], v[1], v[2]);
             out[1] = flip ? Triangle(v[1], v[3], v[0]) : Triangle(v[0], v[2], v[3]);
         } else {
-            for (Index i = 0; i < count; ++i) out[i] = Triangle(v[0], v[i + 1], v[i + 2]);
+            for (Index i = 0; i + 2 < v.size(); ++i) out[i] = Triangle(v[0], v[i + 1], v[i + 2]);
         }
     });
 }
 
 void Surface::build_facets(const Array<std::uint8_t>& skip, const Array<Outline>& outlines) {
     // Facets per polygon: one if it is planar, else one per triangle that leads itself and others.
-    Array<Index> first(polygon_count()), leader(triangles.size());
+    Array<Index> leader(triangles.size());
     Array<std::uint8_t> bent(polygon_count());
-    parallel_for(polygon_count(), [&](std::size_t f) {
+    Array<Index> first = parallel_map<Index>(polygon_count(), [&](std::size_t f) {
         const In<Index> corners = polygon_vertices(Index(f));
         bent[f] = !skip[f] && corners.size() > 3 && !is_flat(corners, outlines[f]);
-        first[f] =
-            bent[f] ? find_leaders(positions, triangles, polygon_triangles_.begin(f), polygon_triangles_.end(f), leader)
-                    : !skip[f];
+        return bent[f]
+                   ? find_leaders(positions, triangles, polygon_triangles_.begin(f), polygon_triangles_.end(f), leader)
+                   : Index(!skip[f]);
     });
     counts_to_offsets(first);
 
@@ -207,16 +205,17 @@ void Surface::build_facets(const Array<std::uint8_t>& skip, const Array<Outline>
     });
 }
 
-void Surface::split_bent_quad(Index f, Array<Diagonal>& diagonals) {
+void Surface::split_bent_quad(Index f, Array<Index>& corner_facet, Array<Diagonal>& diagonals) const {
     const Index begin = polygon_triangles_.begin(f), first = triangle_facet[begin], second = triangle_facet[begin + 1];
     const Index from = triangles[begin].x, to = triangles[begin].z;  // the second triangle goes from `to` back
     const Index c0 = polygons_.begin(f), shift = from == corner_verts_[c0] ? 0 : 1;
-    for (Index i = 0; i < 4; ++i) corner_facet_[c0 + (i + shift) % 4] = i < 2 ? first : second;
+    for (Index i = 0; i < 4; ++i) corner_facet[c0 + (i + shift) % 4] = i < 2 ? first : second;
     diagonals.push_back(
         {Edge(std::min(from, to), std::max(from, to)), EdgeSide(first, to < from), EdgeSide(second, from < to)});
 }
 
-void Surface::split_bent_polygon(Index f, std::vector<TriangleSide>& sides, Array<Diagonal>& diagonals) {
+void Surface::split_bent_polygon(Index f, std::vector<TriangleSide>& sides, Array<Index>& corner_facet,
+                                 Array<Diagonal>& diagonals) const {
     // Sort the sides of the triangles and of the polygon by their vertices, so that equal ones are adjacent: a triangle
     // side that equals a polygon side lies on the outline; one that equals another triangle's is a diagonal.
     sides.clear();
@@ -233,7 +232,7 @@ void Surface::split_bent_polygon(Index f, std::vector<TriangleSide>& sides, Arra
     for (std::size_t i = 0; i + 1 < sides.size(); ++i) {
         const TriangleSide &a = sides[i], &b = sides[i + 1];
         if (a.low != b.low || a.high != b.high) continue;
-        if (a.corner != none && b.facet != none) corner_facet_[a.corner] = b.facet;
+        if (a.corner != none && b.facet != none) corner_facet[a.corner] = b.facet;
         if (a.facet != none && b.facet != none && a.facet != b.facet)
             diagonals.push_back({Edge(a.low, a.high), EdgeSide(a.facet, a.ascending), EdgeSide(b.facet, b.ascending)});
         ++i;
@@ -241,39 +240,39 @@ void Surface::split_bent_polygon(Index f, std::vector<TriangleSide>& sides, Arra
 }
 
 void Surface::build_edge_sides(const Array<std::uint8_t>& skip) {
-    // Each polygon side bounds one facet: the polygon if it is planar, else the triangle with that side.
-    corner_facet_.assign(corner_verts_.size(), none);
+    // The facet at each corner's side: the polygon if it is planar, else the triangle with that side.
+    Array<Index> corner_facet(corner_verts_.size());
     const auto diagonals = parallel_collect<Diagonal>(polygon_count(), 4096, [&](auto begin, auto end, auto& found) {
         std::vector<TriangleSide> scratch;
         for (std::size_t f = begin; f < end; ++f) {
-            if (skip[f]) continue;
             const In<Index> own =
                 In<Index>(triangle_facet).subspan(polygon_triangles_.begin(f), polygon_triangles_.size(f));
-            if (std::ranges::find_if(own, [&](Index of) { return of != own[0]; }) == own.end()) {
-                std::fill(corner_facet_.begin() + polygons_.begin(f), corner_facet_.begin() + polygons_.end(f), own[0]);
-            } else if (polygons_.size(f) == 4) {
-                split_bent_quad(static_cast<Index>(f), found);
-            } else {
-                split_bent_polygon(static_cast<Index>(f), scratch, found);
+            const bool one = std::ranges::all_of(own, [&](Index of) { return of == own[0]; });
+            if (!one && polygons_.size(f) == 4) {
+                split_bent_quad(static_cast<Index>(f), corner_facet, found);
+                continue;
             }
+            const Index facet = one && !skip[f] ? own[0] : none;
+            std::fill(corner_facet.begin() + polygons_.begin(f), corner_facet.begin() + polygons_.end(f), facet);
+            if (!one) split_bent_polygon(static_cast<Index>(f), scratch, corner_facet, found);
         }
     });
 
     edges.resize(mesh_edges);
     edges.reserve(mesh_edges + diagonals.size());
     auto& offsets = edge_rows.offsets;
-    offsets.assign(mesh_edges + diagonals.size(), 2);
-    parallel_for(mesh_edges, [&](std::size_t e) {
-        offsets[e] = 0;
-        for (const Index corner : edge_corners_[Index(e)]) offsets[e] += corner_facet_[corner] != none;
+    offsets = parallel_map<Index>(mesh_edges + diagonals.size(), [&](std::size_t e) {
+        if (e >= mesh_edges) return Index(2);
+        const In<Index> corners = edge_corners_[Index(e)];
+        return Index(std::ranges::count_if(corners, [&](Index corner) { return corner_facet[corner] != none; }));
     });
     counts_to_offsets(offsets);
     edge_sides.resize(offsets.back());
     parallel_for(mesh_edges, [&](std::size_t e) {
         EdgeSide* out = edge_sides.data() + offsets[e];
         for (const Index corner : edge_corners_[Index(e)]) {
-            if (corner_facet_[corner] == none) continue;
-            *out++ = EdgeSide(corner_facet_[corner], corner_verts_[corner] == edges[e].x);
+            if (corner_facet[corner] == none) continue;
+            *out++ = EdgeSide(corner_facet[corner], corner_verts_[corner] == edges[e].x);
         }
     });
     Index next = mesh_edges;

@@ -29,32 +29,25 @@ struct Quiet {
     ~Quiet() { omerr().enable(); }
 };
 
-/// The triangles that a mesh comes with for a polygon.
-In<glm::ivec3> given_triangles(const RepairedMesh& mesh, int polygon) {
-    const auto found = std::ranges::equal_range(mesh.ngon_polygon, polygon);
-    return In<glm::ivec3>(mesh.ngon_triangles).subspan(found.begin() - mesh.ngon_polygon.begin(), found.size());
-}
-
 /// Triangles of a polygon: those given, or a quad split along its shorter diagonal.
-std::vector<glm::ivec3> triangles_of(const RepairedMesh& mesh, int polygon) {
+std::vector<Triangle> triangles_of(const RepairedMesh& mesh, const NgonTriangles& given, int polygon) {
     const int first = mesh.polygon_offsets[polygon], corners = mesh.polygon_offsets[polygon + 1] - first;
-    const int* v = mesh.corner_verts.data() + first;
-    const auto apart = [&](int a, int b) { return glm::distance(dvec3(mesh.positions[a]), dvec3(mesh.positions[b])); };
-    if (corners == 3) return {{v[0], v[1], v[2]}};
-    if (corners != 4) {
-        const In<glm::ivec3> given = given_triangles(mesh, polygon);
-        return {given.begin(), given.end()};
-    }
-    if (apart(v[0], v[2]) <= apart(v[1], v[3])) return {{v[0], v[1], v[2]}, {v[0], v[2], v[3]}};
-    return {{v[1], v[2], v[3]}, {v[1], v[3], v[0]}};
+    const auto v = [&](int i) { return Index(mesh.corner_verts[first + i]); };
+    const auto apart = [&](int i, int j) {
+        return glm::distance(dvec3(mesh.positions[v(i)]), dvec3(mesh.positions[v(j)]));
+    };
+    if (corners == 3) return {{v(0), v(1), v(2)}};
+    if (corners != 4) return {given.of(polygon).begin(), given.of(polygon).end()};
+    if (apart(0, 2) <= apart(1, 3)) return {{v(0), v(1), v(2)}, {v(0), v(2), v(3)}};
+    return {{v(1), v(2), v(3)}, {v(1), v(3), v(0)}};
 }
 
 /// Adds all triangles of a polygon; returns false and adds none if one is refused or there are none.
-bool add(HalfEdges& mesh, const std::vector<glm::ivec3>& triangles, int polygon) {
+bool add(HalfEdges& mesh, const std::vector<Triangle>& triangles, int polygon) {
     std::vector<OpenMesh::FaceHandle> added;
-    for (const glm::ivec3& t : triangles) {
-        const HalfEdges::VertexHandle corners[] = {HalfEdges::VertexHandle(t.x), HalfEdges::VertexHandle(t.y),
-                                                   HalfEdges::VertexHandle(t.z)};
+    for (const Triangle& t : triangles) {
+        const HalfEdges::VertexHandle corners[] = {HalfEdges::VertexHandle(int(t.x)), HalfEdges::VertexHandle(int(t.y)),
+                                                   HalfEdges::VertexHandle(int(t.z))};
         const bool places = std::all_of(std::begin(corners), std::end(corners), [&](auto v) {
             const dvec3 p = to_glm(mesh.point(v));
             return std::isfinite(p.x + p.y + p.z);
@@ -104,9 +97,10 @@ Triangulated::Triangulated(const RepairedMesh& source) {
     const Quiet quiet;
     for (const vec3& p : source.positions) mesh.add_vertex(from_glm(p));
     for (const auto v : mesh.vertices()) mesh.data(v).number = static_cast<Index>(v.idx());
+    const NgonTriangles given(source.arrays());
     std::vector<int> taken;
     for (int f = 0; f + 1 < static_cast<int>(source.polygon_offsets.size()); ++f)
-        (add(mesh, triangles_of(source, f), f) ? taken : refused).push_back(f);
+        (add(mesh, triangles_of(source, given, f), f) ? taken : refused).push_back(f);
     for (const int f : taken)
         each_edge(mesh, source, f, [&](auto e, int edge) { mesh.data(e).marks = marks_of(source, edge); });
     for (const int f : refused) {
@@ -141,12 +135,13 @@ RepairedMesh Triangulated::arrays(const RepairedMesh& source) const {
         }
         finish(mesh.data(f).polygon);
     }
+    const NgonTriangles given(source.arrays());
     for (const int f : refused) {
         for (int c = source.polygon_offsets[f]; c < source.polygon_offsets[f + 1]; ++c) {
             out.corner_verts.push_back(number[source.corner_verts[c]]);
             corner_marks.push_back(marks_of(source, source.corner_edges[c]));
         }
-        for (const glm::ivec3& v : given_triangles(source, f)) {
+        for (const Triangle& v : given.of(f)) {
             out.ngon_triangles.push_back({number[v.x], number[v.y], number[v.z]});
             out.ngon_polygon.push_back(static_cast<int>(out.polygon_offsets.size()) - 1);
         }

@@ -244,32 +244,45 @@ Crossings numbered(In<Piece> pieces, const Grid& grid) {
 /// Pairs of triangles in two leaves.
 struct Leaves {
     const TriangleTree &a, &b;
+    const Surface &surface_a, &surface_b;
     const SingleMap& b_to_a;
     float margin;  ///< exceeds what rounding to the grid moves a box by
     float step;    ///< of the grid
     bool within;
 
-    /// Calls found(triangle of a, triangle of b) for the pairs that may cross.
+    /// A leaf of the second tree, in the object space of a.
+    struct Second {
+        Index leaf = none;
+        FourTriangles corners;
+        FourBoxes boxes;
+    };
+
+    /// Calls found(triangle of a, triangle of b) for the pairs that may cross. `second`: the last leaf of b, which
+    /// comes with several of a, one after the other.
     template <typename Found>
-    void each_pair(Index leaf_a, Index leaf_b, const Found& found) const {
-        const FourTriangles& of_a = a.leaves[leaf_a];
-        const FourTriangles of_b = within ? b.leaves[leaf_b] : b_to_a.mapped(b.leaves[leaf_b]);
+    void each_pair(Index leaf_a, Index leaf_b, Second& second, const Found& found) const {
+        const In<Index> in_a = a.leaf(leaf_a), in_b = b.leaf(leaf_b);
         const float error = within ? step : step + b_to_a.error();
-        const FourBoxes boxes_a = of_a.boxes(), boxes_b = of_b.boxes();
-        unsigned meeting[4], any = 0;
+        if (leaf_b != second.leaf) {
+            const FourTriangles corners = corners_of(surface_b, in_b);
+            second = {leaf_b, within ? corners : b_to_a.mapped(corners), {}};
+            second.boxes = second.corners.boxes();
+        }
+        const FourTriangles corners_a = corners_of(surface_a, in_a);
+        const FourBoxes boxes_a = corners_a.boxes();
+        unsigned meeting[4] = {}, any = 0;
         // Lanes that are not used have boxes at infinity, which meet each other.
-        const unsigned used_a = a.used(leaf_a), used_b = b.used(leaf_b);
-        for (int j = 0; j < 4; ++j) {
-            meeting[j] = used_b >> j & 1u ? boxes_a.meeting(boxes_b[j].grown(margin + error)) & used_a : 0u;
+        const unsigned used_a = (1u << in_a.size()) - 1;
+        for (int j = 0; j < int(in_b.size()); ++j) {
+            meeting[j] = boxes_a.meeting(second.boxes[j].grown(margin + error)) & used_a;
             if (within && leaf_a == leaf_b) meeting[j] &= (1u << j) - 1;
             any |= meeting[j];
         }
         if (any == 0) return;
-        const FourPlanes planes(of_a, error, within);
+        const FourPlanes planes(corners_a, error, within);
         for (int j = 0; j < 4; ++j)
             if (meeting[j] != 0)
-                for_each_lane(planes.may_cross(meeting[j], of_b, j),
-                              [&](int i) { found(a.order[4 * leaf_a + i], b.order[4 * leaf_b + j]); });
+                for_each_lane(planes.may_cross(meeting[j], second.corners, j), [&](int i) { found(in_a[i], in_b[j]); });
     }
 };
 
@@ -282,13 +295,16 @@ Crossings find(const Mapped& first, const Mapped& second, bool within, const Can
     // Corners of one surface are on the grid, or finer numbers than its step: a vertex far away makes the tolerance
     // large, within which all of the rest may be.
     const float margin = static_cast<float>(within ? grid.step() : grid.tolerance());
-    const Leaves leaves{*tree_a, *tree_b, single, margin, static_cast<float>(grid.step()), within};
+    const Leaves leaves{
+        *tree_a, *tree_b, first.surface, second.surface, single, margin, static_cast<float>(grid.step()), within};
     const Finder finder(first, second, grid, within);
     const TreeMeeting meeting(*tree_a, *tree_b, single, leaves.margin, within);
     const auto pieces = parallel_collect<Piece>(meeting.block_count(), 1, [&](std::size_t b, std::size_t, auto& out) {
         cancel.poll();
-        meeting.block(
-            b, [&](Index i, Index j) { leaves.each_pair(i, j, [&](Index s, Index t) { finder.meet(s, t, out); }); });
+        Leaves::Second second;
+        meeting.block(b, [&](Index i, Index j) {
+            leaves.each_pair(i, j, second, [&](Index s, Index t) { finder.meet(s, t, out); });
+        });
     });
     const Crossings crossings = without_contact(numbered(pieces, grid), first, second, grid.tolerance());
     return within ? crossings : without_coincidence(crossings, first, second, cancel);

@@ -74,18 +74,6 @@ void leave_out_repeated(const Surface& surface, Array<Index>& order) {
     order.resize(kept);
 }
 
-FourTriangles leaf_of(const Surface& surface, In<Index> triangles) {
-    FourTriangles leaf;
-    for (int lane = 0; lane < 4; ++lane)
-        for (int k = 0; k < 3; ++k) {
-            const bool used = static_cast<std::size_t>(lane) < triangles.size();
-            const Index vertex = used ? surface.triangles[triangles[lane]][k] : Index(-1);
-            for (int axis = 0; axis < 3; ++axis)
-                leaf.corner[k][axis][lane] = used ? surface.positions[vertex][axis] : infinity;
-        }
-    return leaf;
-}
-
 /// Boxes of the triangles of a leaf; a lane that is not used has the empty box.
 FourBoxes used_boxes(const FourTriangles& leaf) {
     FourBoxes boxes = leaf.boxes();
@@ -99,16 +87,23 @@ TriangleTree make_tree(const Surface& surface) {
     leave_out_repeated(surface, tree.order);
     if (tree.order.empty()) return tree;
     const std::size_t leaves = (tree.order.size() + 3) / 4;
-    tree.leaves = parallel_map<FourTriangles>(leaves, [&](std::size_t i) {
-        return leaf_of(surface,
-                       In<Index>(tree.order).subspan(4 * i, std::min<std::size_t>(4, tree.order.size() - 4 * i)));
-    });
-    tree.levels = levels_over(
-        parallel_map<Box>(leaves, [&](std::size_t i) { return around(used_boxes(tree.leaves[i])); }), tree.bounds);
+    const auto box = [&](std::size_t i) { return around(used_boxes(corners_of(surface, tree.leaf(Index(i))))); };
+    tree.levels = levels_over(parallel_map<Box>(leaves, box), tree.bounds);
     return tree;
 }
 
 }  // namespace
+
+FourTriangles corners_of(const Surface& surface, In<Index> triangles) {
+    FourTriangles found;
+    for (auto& corner : found.corner) std::ranges::fill(corner, four(infinity));
+    for (std::size_t lane = 0; lane < triangles.size(); ++lane)
+        for (int k = 0; k < 3; ++k) {
+            const vec3& corner = surface.positions[surface.triangles[triangles[lane]][k]];
+            for (int axis = 0; axis < 3; ++axis) found.corner[k][axis][lane] = corner[axis];
+        }
+    return found;
+}
 
 FourBoxes FourTriangles::boxes() const {
     FourBoxes boxes;

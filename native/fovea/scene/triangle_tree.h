@@ -18,20 +18,22 @@ struct FourTriangles {
 /// Triangles of a surface in Morton order (Lauterbach et al., "Fast BVH Construction on GPUs", CGF 2009), with boxes
 /// over runs of 4, 16, 64, ... of them. Object space.
 struct TriangleTree {
-    Array<Index> order;           ///< triangles in Morton order; of those that coincide, 16 at most
-    Array<FourTriangles> leaves;  ///< of four consecutive entries of `order`
+    Array<Index> order;  ///< triangles in Morton order; of those that coincide, 16 at most
     /// Lane i of node j of levels[0] bounds leaf 4 j + i; of levels[k], node 4 j + i of levels[k - 1]. The last has one
     /// node; there are none above a single leaf.
     std::vector<Array<FourBoxes>> levels;
     Box bounds;
 
-    bool empty() const { return leaves.empty(); }
-    /// Lanes of a leaf that are used, as bits.
-    unsigned used(Index leaf) const {
-        const std::size_t count = order.size() - 4 * std::size_t(leaf);
-        return count < 4 ? (1u << count) - 1 : 15u;
+    bool empty() const { return order.empty(); }
+    /// A leaf is four consecutive entries of `order`, fewer at its end.
+    In<Index> leaf(Index number) const {
+        const std::size_t begin = 4 * std::size_t(number);
+        return {order.data() + begin, std::min<std::size_t>(4, order.size() - begin)};
     }
 };
+
+/// The corners of up to four triangles of a surface.
+FourTriangles corners_of(const Surface& surface, In<Index> triangles);
 
 /// Cached with the surface.
 std::shared_ptr<const TriangleTree> triangle_tree(const Surface& surface);
