@@ -4,6 +4,8 @@
 A drawing is a PNG (a scan, or a picture by any program), an SVG, or an NPZ of `fovea lines --visible`."""
 
 import hashlib
+import zipfile
+import zlib
 from dataclasses import dataclass
 from itertools import combinations
 from pathlib import Path
@@ -69,11 +71,14 @@ def of_png(path):
 
 def of_npz(path):
     """Lines in pixels; what is hidden, or left out by line thinning, is not drawn."""
-    with np.load(path, allow_pickle=False) as file:
-        if not {"px", "offsets", "invisibility", "shown"} <= set(file.files):
-            raise ValueError("it has no lines in pixels: write it by `fovea lines --visible`")
-        size = tuple(map(int, file["size"])) if "size" in file.files else LINES_SIZE
-        return of_lines(path.stem, dict(file), size)
+    try:
+        with zipfile.ZipFile(path), np.load(path, allow_pickle=False) as file:
+            lines = dict(file)
+    except (zipfile.BadZipFile, zlib.error) as error:
+        raise ValueError("it is not whole: write it again by `fovea lines --visible`") from error
+    if not {"px", "offsets", "invisibility", "shown"} <= lines.keys():
+        raise ValueError("it has no lines in pixels: write it by `fovea lines --visible`")
+    return of_lines(path.stem, lines, tuple(map(int, lines.get("size", LINES_SIZE))))
 
 
 def of_lines(name, lines, size):

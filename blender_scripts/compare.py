@@ -10,7 +10,6 @@ from pathlib import Path
 import bpy
 from bl_ext.user_default.fovea import catalogue, comparison, comparison_report, explained_lines, line_files
 from bl_ext.user_default.fovea.render import definition_strengths
-from bl_ext.user_default.fovea.scene.problem import CannotDraw
 
 sys.path.insert(0, str(Path(__file__).parent))
 
@@ -34,10 +33,7 @@ def main(words):
     scene = bpy.context.scene
     draw.set_camera(scene, draw_options.parse([options.scene, "--size", f"{width}x{height}"]))
     seen_by = scene_source.seen_by(options.camera)
-    try:
-        of_scene = definition_strengths.found(bpy.context, (width, height), names, *OUTLINES, seen_by, given)
-    except CannotDraw as problem:
-        raise ValueError(str(problem)) from problem
+    of_scene = definition_strengths.found(bpy.context, (width, height), names, *OUTLINES, seen_by, given)
     explained = explained_lines.explain(*of_scene, compared.judges, compared.found["tolerance_px"])
     compared = replace(compared, found=compared.found | {"definitions": explained})
     if options.output:

@@ -59,7 +59,9 @@ def set_camera(scene, options):
     """Keeps the scene's camera unless --azimuth or --elevation is given; without one, as for models, adds a camera,
     but none with --cameras."""
     if options.cameras:
-        scene.camera = scene.camera or next(iter(cameras.of(scene)), None)
+        if not (known := cameras.of(scene)):
+            raise ValueError("--cameras: the scene has no camera; leave it out, and the scene is framed")
+        scene.camera = scene.camera or known[0]
         return
     turned = options.azimuth is not None or options.elevation is not None
     if scene.camera and not turned:
@@ -109,20 +111,21 @@ def render(scene, options):
         render_frames(scene, options)
         return
     known = cameras.of(scene)
-    wanted = [camera.name for camera in known] if options.cameras == "all" else options.cameras.split(",")
-    names = {camera.name: name for camera, name in zip(known, cameras.file_names(known))}
-    if missing := [name for name in wanted if name not in names]:
-        there = f"there are: {', '.join(names)}" if names else "there are none"
-        raise ValueError(f"--cameras {options.cameras}: the scene has no camera '{missing[0]}'; {there}")
-    chosen = [camera for camera in known if camera.name in wanted]
+    there = [camera.name for camera in known]
+    wanted = there if options.cameras == "all" else options.cameras.split(",")
+    if missing := [name for name in wanted if name not in there]:
+        known_as = ", ".join(there)
+        raise ValueError(f"--cameras {options.cameras}: the scene has no camera '{missing[0]}'; there are: {known_as}")
+    named = zip(known, cameras.file_names(known), strict=True)
+    chosen = [(camera, name) for camera, name in named if camera.name in wanted]
     with cameras.unbound(scene):
-        for number, camera in enumerate(chosen):
+        for number, (camera, name) in enumerate(chosen):
             scene.camera = camera
             if options.lens:
                 set_lens(camera, options.lens)
             if options.scale:
                 drawing_settings.set_scale(scene, options.scale)
-            render_frames(scene, options, names[camera.name], (number, len(chosen)))
+            render_frames(scene, options, name, (number, len(chosen)))
 
 
 def render_frames(scene, options, camera=None, among=(0, 1)):

@@ -42,8 +42,15 @@ def run(main):
         main(sys.argv[sys.argv.index("--") + 1 :])
     except MemoryError:
         sys.exit(f"{MARK}memory is too small for this scene: simplify it, or lower --size")
+    except OSError as error:
+        sys.exit(MARK + of_file(error))
     except (ValueError, RuntimeError) as error:
         sys.exit(MARK + sentence(str(error)))
+
+
+def of_file(error):
+    """A sentence about an OSError."""
+    return f"{error.filename}: {error.strerror}" if error.filename and error.strerror else str(error)
 
 
 def sentence(text):

@@ -11,7 +11,6 @@ import bpy
 from bl_ext.user_default.fovea import catalogue, comparison, fitted_style, style
 from bl_ext.user_default.fovea.render import style_fit
 from bl_ext.user_default.fovea.scene import camera
-from bl_ext.user_default.fovea.scene.problem import CannotDraw
 from bl_ext.user_default.fovea.style import style_files
 
 sys.path.insert(0, str(Path(__file__).parent))
@@ -32,11 +31,8 @@ def main(words):
     judges_of = comparison.judges_of(drawings, size, options.register, tolerance)
     seen_by = scene_source.seen_by(options.camera)
     opened = time.perf_counter()
-    try:
-        how = tolerance, options.beta, not options.keep_pens, seen_by
-        found = style_fit.fit(bpy.context, size, names, base, judges_of, *how)
-    except CannotDraw as problem:
-        raise ValueError(str(problem)) from problem
+    how = tolerance, options.beta, not options.keep_pens, seen_by
+    found = style_fit.fit(bpy.context, size, names, base, judges_of, *how)
     style_files.write(options.output, found.style)
     end = time.perf_counter()
     told = found.found | {

@@ -9,7 +9,6 @@ from pathlib import Path
 import bpy
 from bl_ext.user_default.fovea import gaze
 from bl_ext.user_default.fovea.render import gaze_check
-from bl_ext.user_default.fovea.scene.problem import CannotDraw
 
 sys.path.insert(0, str(Path(__file__).parent))
 
@@ -35,10 +34,7 @@ def main(words):
 
 def looked(strengthen):
     """(emphasis, Checked) of the scene; the emphasis is None unless it is to be strengthened."""
-    try:
-        return gaze_check.strengthen(bpy.context) if strengthen else (None, gaze_check.check(bpy.context))
-    except CannotDraw as problem:
-        raise ValueError(str(problem)) from problem
+    return gaze_check.strengthen(bpy.context) if strengthen else (None, gaze_check.check(bpy.context))
 
 
 if __name__ == "__main__":

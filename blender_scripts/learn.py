@@ -12,7 +12,6 @@ import numpy as np
 from bl_ext.user_default.fovea import comparison, files, learned_lines, native
 from bl_ext.user_default.fovea.render import local_properties
 from bl_ext.user_default.fovea.scene import camera
-from bl_ext.user_default.fovea.scene.problem import CannotDraw
 
 sys.path.insert(0, str(Path(__file__).parent))
 
@@ -31,10 +30,7 @@ def main(words):
     size = comparison.frame_for(drawings, camera.frame_size(scene.render), options.register)
     judges_of = comparison.judges_of(drawings, size, options.register, options.tolerance)
     view, opened = (bpy.context, size, scene_source.seen_by(options.camera)), time.perf_counter()
-    try:
-        known = [local_properties.of_render(*view)] if model else local_properties.with_judges(*view, judges_of)
-    except CannotDraw as problem:
-        raise ValueError(str(problem)) from problem
+    known = [local_properties.of_render(*view)] if model else local_properties.with_judges(*view, judges_of)
     seen = time.perf_counter()
     found = predicted(options, model, *known) if model else learned(options, *known)
     seconds = {"scene": opened - start, "properties": seen - opened, "model": time.perf_counter() - seen}

@@ -33,6 +33,7 @@ def main(words):
         render.threads_mode, render.threads = "FIXED", options.threads
         native.load().limit_threads(options.threads)
     render.use_overwrite = True  # what is done is decided by FOVEA_RESUME
+    whole_frames.check_place(scene)
     whole_frames.exits = False
     try:
         bpy.ops.render.render(animation=True)

@@ -32,6 +32,8 @@ def render(scene, definitions, path):
     shown = [
         definition for definition in definitions if definition["name"] in drawn and not lacks_file(held, definition)
     ]
+    if not shown:
+        raise ValueError("--sheet: each of these definitions needs a file, as --param learned_line.model=FILE.json")
     size = scene.render.resolution_x, scene.render.resolution_y
     columns = columns_for(len(shown), size)
     rows = -(-len(shown) // columns)

@@ -86,7 +86,7 @@ class FOVEA_OT_pick_focus(Operator, bpy.types.Operator):
 
     bl_idname = "fovea.pick_focus"
     bl_label = "Pick Focus"
-    errors, level = (CannotDraw, ValueError), "WARNING"
+    errors, level = (ValueError,), "WARNING"
 
     x: bpy.props.IntProperty(
         name="X", description="Pixels from the left of the viewport's region", options={"SKIP_SAVE"}

@@ -37,11 +37,8 @@ class Render:
     def __init__(self, scene, stack):
         render = scene.render
         self.scene, self.stack, self.key = scene, stack, frame_key.key_of(scene)
-        self.place = Path(render.frame_path(frame=scene.frame_current)).parent
-        self.place.mkdir(parents=True, exist_ok=True)
+        self.place, self.folder = _folders(scene, stack)
         resumes = os.environ.get("FOVEA_RESUME") == "1" or not render.use_overwrite
-        stack.callback(_remove_if_empty, self.place / frame_records.FOLDER)
-        self.folder, _ = stack.enter_context(held_folder(self.place / frame_records.FOLDER, PREFIX))
         for name in ("filepath", "use_overwrite", "use_placeholder"):
             stack.callback(setattr, render, name, getattr(render, name))
         name = render.filepath.replace("\\", "/").rpartition("/")[2]
@@ -91,6 +88,26 @@ class Render:
             raise files.NotWritten(f"Frame {self.scene.frame_current} has no lines over it and is not kept: {lost}")
 
 
+def _folders(scene, stack):
+    """(where a scene's frames belong, a folder beside them for Blender to write to), as long as the stack is open.
+    NotWritten if nothing can be written there."""
+    place = Path(scene.render.frame_path(frame=scene.frame_current)).parent
+    try:
+        place.mkdir(parents=True, exist_ok=True)
+        stack.callback(_remove_if_empty, place / frame_records.FOLDER)
+        folder, _ = stack.enter_context(held_folder(place / frame_records.FOLDER, PREFIX))
+    except OSError as error:
+        refused = f"{scene.render.frame_path()} could not be written ({error.strerror}): name another place"
+        raise files.NotWritten(refused) from error
+    return place, folder
+
+
+def check_place(scene):
+    """NotWritten if a scene's frames cannot be written where they belong."""
+    with ExitStack() as stack:
+        _folders(scene, stack)
+
+
 def in_place(path):
     """Where a file beside a picture that Blender is writing belongs: beside that picture's own place."""
     return _render.place / path.name if _render and path.parent == _render.folder else path
@@ -118,7 +135,7 @@ def _pixels(path):
 
 def _remove_if_empty(folder):
     """Removes a folder in which no frame is recorded."""
-    if [path.name for path in folder.iterdir()] == [LOCK]:
+    if folder.is_dir() and [path.name for path in folder.iterdir()] == [LOCK]:
         (folder / LOCK).unlink()
         folder.rmdir()
 
@@ -131,10 +148,14 @@ def _begin(scene, *_):
     with ExitStack() as stack:
         try:
             _render = Render(scene, stack)
+        except files.NotWritten as error:
+            _fail(str(error))
         except OSError as error:
-            _fail(f"{scene.render.frame_path()} could not be written ({error.strerror}): name another place")
+            _fail(f"{error.filename} could not be read ({error.strerror}): name another place")
         else:
             _render.stack = stack.pop_all()
+    if failures and exits:  # else Blender would write in place
+        sys.exit(1)
 
 
 @persistent
@@ -148,8 +169,10 @@ def _written(*_):
     if _render:
         try:
             _render.finish()
-        except (files.NotWritten, OSError) as error:
+        except files.NotWritten as error:
             _fail(str(error))
+        except OSError as error:
+            _fail(f"Frame {_render.scene.frame_current} could not be recorded ({error.strerror}): make room")
 
 
 @persistent

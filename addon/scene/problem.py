@@ -2,5 +2,5 @@
 """The error for problems in a scene that the user can fix."""
 
 
-class CannotDraw(Exception):
+class CannotDraw(ValueError):
     """A picture cannot be drawn; the message is one sentence for the user on the problem and its solution."""

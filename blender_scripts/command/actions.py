@@ -47,12 +47,17 @@ def package(target, words):
 
 def all_packages(target, platforms, place):
     """Writes the packages for platforms into a folder, which is `place` if that is given."""
-    folder = packages.write(target, platforms)
     if place:
-        place.mkdir(parents=True, exist_ok=True)
-        shutil.copytree(folder, place, dirs_exist_ok=True)
-    for file in sorted(path for path in (place or folder).rglob("*") if path.is_file()):
-        print(file)
+        for each in (place, place / "repository"):
+            output.check_folder(each)
+    folder = packages.write(target, platforms)
+    for file in sorted(path for path in folder.rglob("*") if path.is_file()):
+        if place:
+            copy = place / file.relative_to(folder)
+            copy.parent.mkdir(parents=True, exist_ok=True)
+            with output.written(copy) as fresh:
+                shutil.copy2(file, fresh)
+        print(copy if place else file)
     return 0
 
 

@@ -235,7 +235,8 @@ def _check(options):
         raise ValueError(f"{options.scene}: a scene is a {models} or .blend file, or one of {scenes.names()}")
     else:
         scenes.parse(options.scene)
-    if options.scene == "demo" and not (options.style or options.lines or options.focus or options.focus_painted):
+    plain = not (options.style or options.lines or options.focus or options.focus_painted or options.sheet)
+    if options.scene == "demo" and plain:
         vars(options).update(DEMO)
     options.output = options.output or default_output(options.scene, "sheet" if options.sheet else "fovea")
     if options.output.suffix not in PICTURES + VECTORS + LAYERS:

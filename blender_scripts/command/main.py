@@ -9,6 +9,8 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).parents[1]))
 
+import ending
+
 from command import printed, temporary
 from command.target import INTERRUPTS, StepFailed, Target, say
 
@@ -36,7 +38,9 @@ def main(words):
         say(f"{subcommand}: memory is too small for this: take a simpler model, or a smaller --size")
     except printed.Unprinted as reason:
         say(f"{subcommand}: what it prints could not be written ({reason}): make room, or send it elsewhere")
-    except (ValueError, OSError) as error:
+    except OSError as error:
+        say(f"{subcommand}: {ending.of_file(error)}")
+    except ValueError as error:
         say(f"{subcommand}: {error}")
     except KeyboardInterrupt:
         return 130  # blender_scripts/fovea says so

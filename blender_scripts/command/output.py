@@ -21,8 +21,21 @@ def check(*paths):
     for folder in dict.fromkeys(place.parent for place in places):
         if not folder.is_dir():
             raise ValueError(f"there is no folder {folder}")
-        try:
-            tempfile.TemporaryFile(dir=folder).close()
-        except OSError as error:
-            refused = f"nothing can be written to the folder {folder} ({error.strerror}): name another folder"
-            raise ValueError(refused) from error
+        _check_room(folder)
+
+
+def check_folder(path):
+    """As `check`, for a folder of files, which may be made together with those above it."""
+    place = Path(path).resolve()
+    there = next(each for each in (place, *place.parents) if each.exists())
+    if not there.is_dir():
+        raise ValueError(f"{there} is a file: name a folder")
+    _check_room(there)
+
+
+def _check_room(folder):
+    try:
+        tempfile.TemporaryFile(dir=folder).close()
+    except OSError as error:
+        refused = f"nothing can be written to the folder {folder} ({error.strerror}): name another folder"
+        raise ValueError(refused) from error

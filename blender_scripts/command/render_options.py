@@ -2,6 +2,7 @@
 """The options of `fovea render`: parsed outside Blender, to report errors at once, and again by render.py inside it."""
 
 import argparse
+import os
 from pathlib import Path
 
 from . import output, quantities
@@ -30,7 +31,10 @@ def _check(options):
         raise ValueError(f"--threads {options.threads}: name 1 to 1024, or 0 for all processors")
     if not options.output:
         return
-    folder = Path(options.output).absolute().parent
+    place = Path(options.output).absolute()
+    if options.output.endswith(os.sep) or place.is_dir():
+        raise ValueError(f"{options.output} is a folder: name frames in it, as {place / 'name_####'}")
+    folder = place.parent
     try:
         folder.mkdir(parents=True, exist_ok=True)
     except OSError as error:

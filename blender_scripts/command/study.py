@@ -8,6 +8,7 @@ import json
 import math
 import os
 import re
+import secrets
 import shutil
 import tempfile
 import tomllib
@@ -67,6 +68,7 @@ def _check_made(options, rest):
         raise ValueError(f"there is no folder {folder.parent}")
     if folder.exists() and (not folder.is_dir() or any(folder.iterdir())):
         raise ValueError(f"{folder} is not empty: name a new folder, as settings belong to the pictures they are of")
+    output.check_folder(folder)
     drawn = draw_options.parse(options.draw)
     for name in ("style", "frames", "cameras", "over", "sheet", "dump", "one_bit"):
         if getattr(drawn, name) and (name != "style" or "--style" in rest):
@@ -125,10 +127,8 @@ def make(target, options):
         if style != SHADED:
             actions.check_style(target, style)
     extension.install(target)
-    folder = options.output
-    folder.mkdir(exist_ok=True)
     work = Path(os.environ["TMPDIR"], "study")
-    work.mkdir()  # until all is done, the folder has nothing of it
+    work.mkdir()
     pictures = {name: work / f"{name}.png" for name in options.names.values()}
     asked = {
         "out": str(work / "found.json"), "draw": options.draw, "gauges": options.gauges, "seed": options.seed,
@@ -138,15 +138,41 @@ def make(target, options):
     script = PROJECT / "blender_scripts" / "study.py"
     actions.in_blender(target, f"drawing {options.scene} for a study", script, [json.dumps(asked)])
     found = json.loads((work / "found.json").read_text())
-    told = described(options, found, {name: path.read_bytes() for name, path in pictures.items()})
-    for name, path in pictures.items():
-        with output.written(folder / f"{name}.png") as fresh:
-            shutil.copyfile(path, fresh)
-    _write(folder / PAGE, page.page(told, {name: path.read_bytes() for name, path in pictures.items()}))
-    _write(folder / records.STUDY, json.dumps(told, indent=1))
-    for path in (*(folder / f"{name}.png" for name in pictures), folder / records.STUDY, folder / PAGE):
-        print(path)
+    drawn = {name: path.read_bytes() for name, path in pictures.items()}
+    told = described(options, found, drawn)
+    files = {f"{name}.png": content for name, content in drawn.items()}
+    files |= {records.STUDY: json.dumps(told, indent=1).encode(), PAGE: page.page(told, drawn).encode()}
+    _write_all(options.output, files)
+    for name in files:
+        print(options.output / name)
     return 0
+
+
+def _write_all(folder, files):
+    """Writes files (name -> bytes) to a folder that is new or empty: all of them or, on an error or interrupt, none. A
+    folder that is there is filled, not replaced, as it may be a mount."""
+    is_new = not folder.exists()
+    fresh = (folder.parent if is_new else folder) / f".{secrets.token_hex(8)}"
+    moved = []
+    try:
+        fresh.mkdir()
+        for name, content in files.items():
+            (fresh / name).write_bytes(content)
+        if is_new:
+            fresh.rename(folder)
+        else:
+            for name in files:
+                moved.append(folder / name)
+                (fresh / name).rename(folder / name)
+    except OSError as error:
+        told = f"{folder} could not be written ({error.strerror}): make room, or name another place"
+        raise ValueError(told) from error
+    else:
+        moved.clear()
+    finally:
+        for path in moved:
+            path.unlink(missing_ok=True)
+        shutil.rmtree(fresh, ignore_errors=True)
 
 
 def described(options, found, pictures):

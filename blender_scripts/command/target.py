@@ -3,7 +3,9 @@
 
 import contextlib
 import fcntl
+import itertools
 import os
+import re
 import signal
 import subprocess
 import sys
@@ -15,7 +17,10 @@ from pathlib import Path
 PROJECT = Path(__file__).resolve().parents[2]
 INTERRUPTS = (signal.SIGINT, signal.SIGTERM)
 PATIENCE = 3  # seconds in which a process that is interrupted ends by itself
+LONGEST = 120  # bytes of a log's name; file systems take 255, encrypted ones 143
 SHARED = PROJECT.parent / "shared"  # models that are not part of the project; may be absent
+
+_logs = {}  # path -> open file, of each log of this process, which is locked as long as it runs
 
 
 class StepFailed(RuntimeError):
@@ -69,25 +74,23 @@ class Target:
     def attempt(self, sentence, command, **environment):
         """As `run`, but returns (log, status) instead of raising."""
         say(f"{self.name}: {sentence}")
-        log = self.work / "log" / f"{sentence.replace(' ', '-').replace('/', '-')}.log"
-        log.parent.mkdir(parents=True, exist_ok=True)
+        log, output = _own_log(self.work / "log", sentence)
         start = time.monotonic()
-        with log.open("wb") as output:
-            process = None
-            try:
-                with _interrupts_wait():
-                    process = subprocess.Popen(
-                        [str(word) for word in command], stdin=subprocess.DEVNULL, stdout=output,
-                        stderr=subprocess.STDOUT, env=self.environment() | environment,
-                        pass_fds=() if self.held is None else (self.held,),
-                    )  # fmt: skip
-                while True:
-                    with contextlib.suppress(subprocess.TimeoutExpired):
-                        return log, process.wait(timeout=15)
-                    say(f"  {self.name}: {sentence} {time.monotonic() - start:.0f} s: {tail(log, 1).strip()[:80]}")
-            finally:
-                if process:
-                    _end(process)
+        process = None
+        try:
+            with _interrupts_wait():
+                process = subprocess.Popen(
+                    [str(word) for word in command], stdin=subprocess.DEVNULL, stdout=output,
+                    stderr=subprocess.STDOUT, env=self.environment() | environment,
+                    pass_fds=() if self.held is None else (self.held,),
+                )  # fmt: skip
+            while True:
+                with contextlib.suppress(subprocess.TimeoutExpired):
+                    return log, process.wait(timeout=15)
+                say(f"  {self.name}: {sentence} {time.monotonic() - start:.0f} s: {tail(log, 1).strip()[:80]}")
+        finally:
+            if process:
+                _end(process)
 
     @contextlib.contextmanager
     def lock(self):
@@ -96,6 +99,25 @@ class Target:
         with (self.work / "lock").open("w") as file:
             fcntl.flock(file, fcntl.LOCK_EX)
             yield
+
+
+def _own_log(folder, sentence):
+    """(path, open file) of a log in a folder, emptied: the first of NAME.log, NAME-2.log, ... that no other run has. It
+    stays when this run ends; the next one of the sentence takes it."""
+    folder.mkdir(parents=True, exist_ok=True)
+    name = re.sub(r"[^\w.,:-]", "-", sentence).encode()[:LONGEST].decode(errors="ignore")
+    for number in itertools.count(1):
+        log = folder / (f"{name}-{number}.log" if number > 1 else f"{name}.log")
+        if log not in _logs:
+            file = log.open("ab")
+            try:
+                fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+            except BlockingIOError:
+                file.close()
+                continue
+            _logs[log] = file
+        _logs[log].truncate(0)
+        return log, _logs[log]
 
 
 @contextlib.contextmanager

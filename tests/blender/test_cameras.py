@@ -70,6 +70,29 @@ def test_a_camera_that_is_not_there_is_named(scene, tmp_path):
         draw.main([blend, "--cameras", "Front,Back", "-o", str(tmp_path / "box.png")])
 
 
+@pytest.mark.parametrize("names", ["all", "Front"])
+def test_of_a_scene_without_cameras_none_are_drawn(tmp_path, names):
+    scene = box_scene()
+    bpy.data.objects.remove(scene.camera)
+    blend = str(tmp_path / "box.blend")
+    bpy.ops.wm.save_as_mainfile(filepath=blend)
+    with pytest.raises(ValueError, match="the scene has no camera; leave it out"):
+        draw.main([blend, "--cameras", names, "--focus", "0,0,0", "-o", str(tmp_path / "box.png")])
+
+
+def test_a_linked_camera_of_the_same_name_has_a_picture_of_its_own(scene, tmp_path):
+    library = str(tmp_path / "library.blend")
+    bpy.data.libraries.write(library, {bpy.data.objects["Front"]})
+    with bpy.data.libraries.load(library, link=True) as (_, linked):
+        linked.objects = ["Front"]
+    scene.collection.objects.link(linked.objects[0])
+    blend, out = str(tmp_path / "box.blend"), tmp_path / "out"
+    bpy.ops.wm.save_as_mainfile(filepath=blend)
+    out.mkdir()
+    draw.main([blend, "--cameras", "Front", "-o", str(out / "box.png")])
+    assert names_in(out) == ["box_Front.png", "box_Front_2.png"]
+
+
 @pytest.mark.parametrize("output, expected", [("box", [f"box_{name}.png" for name in FILES]), ("", None)])
 def test_the_operator_renders_from_all_and_leaves_camera_markers_and_path(scene, tmp_path, output, expected):
     marker = scene.timeline_markers.new("Cut", frame=1)

@@ -13,6 +13,7 @@ from the_addon import new_object, part
 sys.path.insert(0, str(Path(__file__).parents[2] / "blender_scripts"))
 
 import draw
+import ending
 import scene_source
 from command import draw_options, quantities
 
@@ -102,6 +103,19 @@ def test_scripts_of_a_file_are_not_run(tmp_path):
     ran.unlink()
     scene_source.open_scene(blend)
     assert not ran.exists()
+
+
+@pytest.mark.parametrize("words", [["-o", "x.png"], ["-o", "x.svg"], ["-o", "x.ora"], ["--dump", "x.npz"]])
+def test_what_cannot_be_drawn_is_one_sentence_whatever_is_written(tmp_path, monkeypatch, words):
+    data = box_scene().camera.data
+    data.clip_start, data.clip_end = 200.0, 100.0
+    blend = saved(tmp_path / "behind.blend")
+    (out := tmp_path / "out").mkdir()
+    monkeypatch.chdir(out)
+    monkeypatch.setattr("sys.argv", ["blender", "--", blend, *words])
+    with pytest.raises(SystemExit, match="^fovea: [^\n]*[Cc]lip"):
+        ending.run(draw.main)
+    assert not list(out.iterdir())
 
 
 def test_a_lens_is_refused_where_the_scene_is_seen_from_no_camera(tmp_path):

@@ -168,6 +168,36 @@ def test_what_writes_nothing_leaves_nothing(tmp_path, atomic):
     assert names(tmp_path) == ["box.blend", "out"]
 
 
+@pytest.fixture
+def no_place(tmp_path):
+    """Where frames of `moving` cannot be recorded."""
+    (tmp_path / "out").mkdir()
+    (tmp_path / "out" / ".fovea").touch()
+    return ["box.blend", "out", "out/.fovea"]
+
+
+def test_blender_ends_before_it_renders_where_nothing_can_be_written(tmp_path, atomic, no_place):
+    moving(tmp_path)
+    words = [bpy.app.binary_path, "-b", "--factory-startup", "--addons", fovea.__name__, tmp_path / "box.blend", "-a"]
+    done = subprocess.run(words, capture_output=True, text=True, errors="replace")
+    assert done.returncode == 1 and "box_0001.png could not be written" in done.stderr
+    assert "Traceback" not in done.stderr and names(tmp_path) == no_place
+
+
+def test_the_command_says_where_nothing_can_be_written(tmp_path, atomic, no_place):
+    moving(tmp_path)
+    with pytest.raises(ValueError, match="box_0001.png could not be written"):
+        render.main([str(tmp_path / "box.blend")])
+    assert names(tmp_path) == no_place
+
+
+def test_a_frame_that_cannot_be_recorded_is_said(tmp_path, atomic, capfd):
+    moving(tmp_path)
+    (tmp_path / "out" / ".fovea" / records.NAME).mkdir(parents=True)
+    bpy.ops.render.render(write_still=True)
+    assert "Frame 1 could not be recorded (Is a directory)" in capfd.readouterr().err and whole.failures
+
+
 def test_the_command_renders_by_the_file_s_own_engine_where_it_is_told(tmp_path, atomic, capfd):
     moving(tmp_path, "BLENDER_WORKBENCH")
     bpy.ops.wm.read_homefile(use_empty=True)

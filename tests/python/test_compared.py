@@ -126,8 +126,14 @@ def test_bad_files_are_refused_in_a_sentence(tmp_path):
         with pytest.raises(ValueError, match=complaint):
             comparison.read(tmp_path / name)
     np.savez(tmp_path / "a.npz", px=np.zeros((2, 2)))
-    with pytest.raises(ValueError, match="write it by `fovea lines --visible`"):
+    with pytest.raises(ValueError, match="it has no lines in pixels: write it by `fovea lines --visible`"):
         comparison.read(tmp_path / "a.npz")
+    whole = npz(tmp_path / "b.npz", LINES).read_bytes()
+    middle = len(whole) // 2
+    for broken in (b"", whole[:middle], whole[:middle] + bytes(64) + whole[middle + 64 :]):
+        (tmp_path / "b.npz").write_bytes(broken)
+        with pytest.raises(ValueError, match="b.npz: it is not whole: write it again"):
+            comparison.read(tmp_path / "b.npz")
     small, large = png(tmp_path / "s.png", LINES), png(tmp_path / "l.png", LINES, (400, 300))
     with pytest.raises(ValueError, match="s has 320 x 240 pixels and l has 400 x 300 pixels"):
         compared(small, large)

@@ -32,7 +32,7 @@ def test_the_demo_shows_stylized_focus(words):
     [["--style", "pencil"], ["--lines", "crease"], ["--focus", "Bicycle"], ["--focus-painted", "Look"], ["--sheet"]],
 )
 def test_the_demo_is_drawn_as_words_say_where_they_do(words):
-    options, other = draw_options.parse(words), draw_options.parse(["office", *words])
+    options, other = draw_options.parse(["demo", *words]), draw_options.parse(["office", *words])
     names = ("style", "focus", "focus_painted", "focus_radii", "lines")
     assert [getattr(options, name) for name in names] == [getattr(other, name) for name in names]
 

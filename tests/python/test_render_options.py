@@ -25,6 +25,8 @@ def test_words_are_taken_as_they_are_given(file, tmp_path):
         (["{file}", "--frames", "7-3"], "is not FIRST-LAST"),
         (["{file}", "--threads", "-1"], "name 1 to 1024"),
         (["{file}", "-o", "{file}/a_####"], "cannot be made"),
+        (["{file}", "-o", "{file.parent}"], "is a folder: name frames in it"),
+        (["{file}", "-o", "new/"], "is a folder: name frames in it, as"),
     ],
 )
 def test_what_cannot_be_rendered_is_refused(file, capsys, words, said):

@@ -2,10 +2,12 @@
 """`fovea study`: what it asks for, what it refuses, and what it writes besides the pictures."""
 
 import json
+from pathlib import Path
 
 import numpy as np
 import pytest
-from command import study
+from command import actions, study
+from command.target import StepFailed
 from gauges import analysis, observers, records, report
 from native_core import core
 
@@ -49,6 +51,84 @@ def test_a_study_is_not_made_over_another_one(tmp_path, capsys):
     with pytest.raises(SystemExit):
         made(tmp_path)
     assert "is not empty: name a new folder" in capsys.readouterr().err
+
+
+def test_a_place_that_takes_no_study_is_told_before_anything_is_drawn(capsys):
+    with pytest.raises(SystemExit):
+        study.parse(["make", "suzanne:3", "--styles", "pencil", "-o", "/proc/s"])
+    assert "nothing can be written to the folder /proc" in (said := capsys.readouterr().err)
+    assert said.endswith("name another folder\n")
+
+
+@pytest.fixture(params=["new", "empty"])
+def drawing(request, tmp_path, monkeypatch):
+    """A folder for a study, and a Blender that draws it as `drawing.picture`, or raises `drawing.error`."""
+
+    class Drawing:
+        folder, picture, error = tmp_path / "s", core.png_bytes(np.full((768, 1024, 3), 250, np.uint8)), None
+
+        def in_blender(self, target, sentence, script, words):
+            asked = json.loads(words[0])
+            for path in asked["pictures"].values():
+                Path(path).write_bytes(self.picture)
+            gauges = [{"x": 1, "y": i, "n": [0, 0, 1], "object": "A"} for i in range(3)]
+            Path(asked["out"]).write_text(json.dumps({"gauges": gauges, "tried": 9, "blender": "5.2.0"}))
+            if self.error:
+                raise self.error
+
+        def make(self):
+            study.make(None, made(tmp_path))
+
+        def left(self):
+            return [path for path in tmp_path.rglob("*") if not path.is_relative_to(tmp_path / "tmp")]
+
+    drawn = Drawing()
+    (tmp_path / "tmp").mkdir()
+    monkeypatch.setenv("TMPDIR", str(tmp_path / "tmp"))
+    monkeypatch.setattr(actions, "check_style", lambda target, style: None)
+    monkeypatch.setattr(study.extension, "install", lambda target: None)
+    monkeypatch.setattr(actions, "in_blender", drawn.in_blender)
+    if request.param == "empty":
+        drawn.folder.mkdir()
+    return drawn
+
+
+def test_a_study_is_a_folder_of_its_pictures_and_its_page(drawing, capsys):
+    drawing.make()
+    paths = [drawing.folder / name for name in ("pencil.png", "shaded.png", records.STUDY, study.PAGE)]
+    assert capsys.readouterr().out.splitlines() == list(map(str, paths))
+    assert sorted(drawing.left()) == sorted([drawing.folder, *paths])
+    assert records.read_study(drawing.folder).folder == drawing.folder
+
+
+@pytest.mark.parametrize("error", [StepFailed("no gauges"), KeyboardInterrupt()])
+def test_a_study_that_could_not_be_drawn_leaves_nothing(drawing, error):
+    before, drawing.error = drawing.left(), error
+    with pytest.raises(type(error)):
+        drawing.make()
+    assert drawing.left() == before
+
+
+@pytest.mark.parametrize("how", ["write_bytes", "rename"])
+@pytest.mark.parametrize(
+    "error, raised, told",
+    [
+        (OSError(28, "No room"), ValueError, r"/s could not be written \(No room\): make room, or name another place"),
+        (KeyboardInterrupt(), KeyboardInterrupt, ""),
+    ],
+)
+def test_a_study_that_could_not_be_written_leaves_nothing(drawing, monkeypatch, how, error, raised, told):
+    before, do = drawing.left(), getattr(Path, how)
+
+    def breaks_off(path, *words):
+        if path.name == study.PAGE or path.is_dir():  # the last one
+            raise error
+        return do(path, *words)
+
+    monkeypatch.setattr(Path, how, breaks_off)
+    with pytest.raises(raised, match=told):
+        drawing.make()
+    assert drawing.left() == before
 
 
 @pytest.mark.parametrize(

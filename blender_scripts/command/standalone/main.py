@@ -9,7 +9,7 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).parents[2]))
 
-from command import temporary
+from command import output, temporary
 from command.main import interrupt
 from command.standalone import build, checks, sources, toolchain, trial, wine
 from command.target import INTERRUPTS, PROJECT, StepFailed, Target, say
@@ -71,10 +71,15 @@ def parse(words):
 
 
 def platforms_of(words):
-    """Names of the platforms of which `fovea package` with these words makes zips."""
+    """Names of the platforms of which `fovea package` with these words makes zips. ValueError where these cannot be
+    written, before anything is built."""
     parser = argparse.ArgumentParser("fovea package")
+    parser.add_argument("-o", "--output")
     toolchain.add_platforms(parser)
-    return toolchain.wanted_platforms(parser.parse_known_args(words)[0])
+    options = parser.parse_known_args(words)[0]
+    if options.output:
+        output.check_folder(options.output)
+    return toolchain.wanted_platforms(options)
 
 
 def chosen(names):
