@@ -8,12 +8,14 @@ import shutil
 import subprocess
 import time
 from pathlib import Path
+from typing import NamedTuple
 
 from . import build
 from .target import say, tail
 
 KINDS = ("meshes", "styles")
 VARIES = re.compile(r"'[^']*'|[-+]?\d[\d.e+-]*|\b-?(nan|inf)\b")  # in messages that are alike
+TOO_LONG = "HANGS: it takes too long"  # what the program says as it ends such an input
 SANITIZERS = {
     "ASAN_OPTIONS": "handle_abort=1:hard_rss_limit_mb=3000:max_allocation_size_mb=2000",
     "UBSAN_OPTIONS": "print_stacktrace=1",
@@ -59,7 +61,11 @@ def fuzz(target, words):
         of_kind = {VARIES.sub("", message): message for worker in workers for message in worker.messages}
         print("\n".join(sorted(of_kind.values())))
     failures = [failure for worker in workers for failure in worker.failures]
-    print("\n".join(failures), end="\n" if failures else "")
+    if any(failure.is_slow for failure in failures) and not options.release:
+        release = build.build(target, "fovea_fuzz") / "fovea_fuzz"
+        failures = without_slow(failures, lambda file: subprocess.run([release, "repeat", file], check=False).returncode)
+    for failure in failures:
+        print(f"{failure.file} FAILED:\n{failure.told}")
     drawn = ", ".join(f"{sum(each.count for each in workers if each.kind == kind)} {kind}" for kind in kinds)
     say(f"{target.name}: {drawn}: {len(failures)} failed")
     return 1 if failures else 0
@@ -69,6 +75,18 @@ def shares(kinds):
     """(kind, number of workers), one for each core; a tenth of all inputs, about, are not of the first kind."""
     cores = len(os.sched_getaffinity(0))
     return [(kind, max(1, cores - len(kinds) + 1) if kind == kinds[0] else 1) for kind in kinds]
+
+
+class Failure(NamedTuple):
+    file: Path  # of its input
+    told: str  # the end of its log
+    is_slow: bool  # it took too long
+
+
+def without_slow(failures, repeat):
+    """The failures but those that took too long under sanitizers, whose limit is short of what they cost, and end in time
+    without them: `repeat`, from the file of an input to an exit status."""
+    return [failure for failure in failures if not failure.is_slow or repeat(failure.file) != 0]
 
 
 class Worker:
@@ -107,7 +125,9 @@ class Worker:
             failed = self.files.with_name(f"failed-{self.kind}-{seed}")
             failed.with_suffix(".txt").write_text(f"{self.kind} {seed}\n")
             self._file("log").rename(failed.with_suffix(".log"))
-            self.failures.append(f"{failed}.txt FAILED:\n{tail(failed.with_suffix('.log'), 30)}")
+            log = failed.with_suffix(".log")
+            is_slow = TOO_LONG in log.read_text(errors="replace")
+            self.failures.append(Failure(failed.with_suffix(".txt"), tail(log, 30), is_slow))
         self.seed = int(seed) + self.step
 
     def _file(self, suffix):

@@ -7,7 +7,8 @@ import time
 import pytest
 from command import fuzz
 
-# Stands in for the program: refuses input 12, ends with an error at input 14, and is done after input 20.
+# Stands in for the program: refuses input 12, ends with an error at inputs 14 and 18, where it takes too long, and is
+# done after input 20.
 PROGRAM = """
 import sys
 _, kind, seed, step, seconds, state = sys.argv
@@ -18,6 +19,9 @@ for count, number in enumerate(range(int(seed), 21, int(step))):
     if number == 14:
         print("ERROR: AddressSanitizer: heap-buffer-overflow", flush=True)
         sys.exit(1)
+    if number == 18:
+        print("HANGS: it takes too long", flush=True)
+        sys.exit(3)
 """
 
 
@@ -39,7 +43,18 @@ def test_an_input_that_fails_is_written_with_its_log_and_the_next_ones_are_tried
     assert worker.count == 6  # 10, 12, 14; 16, 18, 20
     assert (tmp_path / "failed-meshes-14.txt").read_text() == "meshes 14\n"
     assert "heap-buffer-overflow" in (tmp_path / "failed-meshes-14.log").read_text()
-    assert len(worker.failures) == 1 and "failed-meshes-14.txt FAILED" in worker.failures[0]
+    assert [(each.file.name, each.is_slow) for each in worker.failures] == [
+        ("failed-meshes-14.txt", False),
+        ("failed-meshes-18.txt", True),
+    ]
+    assert "heap-buffer-overflow" in worker.failures[0].told
+
+
+def test_what_takes_too_long_with_sanitizers_fails_only_where_it_does_without(worker):
+    finish(worker)
+    broken, slow = worker.failures
+    assert fuzz.without_slow([broken, slow], lambda file: 3) == [broken, slow]
+    assert fuzz.without_slow([broken, slow], lambda file: 0) == [broken], "others are not repeated"
 
 
 def test_what_inputs_were_refused_with_is_kept(worker):
