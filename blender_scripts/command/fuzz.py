@@ -63,7 +63,9 @@ def fuzz(target, words):
     failures = [failure for worker in workers for failure in worker.failures]
     if any(failure.is_slow for failure in failures) and not options.release:
         release = build.build(target, "fovea_fuzz") / "fovea_fuzz"
-        failures = without_slow(failures, lambda file: subprocess.run([release, "repeat", file], check=False).returncode)
+        failures = without_slow(
+            failures, lambda file: subprocess.run([release, "repeat", file], check=False).returncode
+        )
     for failure in failures:
         print(f"{failure.file} FAILED:\n{failure.told}")
     drawn = ", ".join(f"{sum(each.count for each in workers if each.kind == kind)} {kind}" for kind in kinds)
@@ -84,8 +86,8 @@ class Failure(NamedTuple):
 
 
 def without_slow(failures, repeat):
-    """The failures but those that took too long under sanitizers, whose limit is short of what they cost, and end in time
-    without them: `repeat`, from the file of an input to an exit status."""
+    """The failures but those that took too long with sanitizers, as these cost more than the limit allows for, and end
+    in time without them. `repeat`: from the file of an input to an exit status."""
     return [failure for failure in failures if not failure.is_slow or repeat(failure.file) != 0]
 
 
