@@ -93,11 +93,10 @@ void mark_features(HalfEdges& mesh, const RepairedMesh& source) {
 
 }  // namespace
 
-Triangulated::Triangulated(const RepairedMesh& source) {
+Triangulated::Triangulated(const RepairedMesh& source) : given(source.arrays()) {
     const Quiet quiet;
     for (const vec3& p : source.positions) mesh.add_vertex(from_glm(p));
     for (const auto v : mesh.vertices()) mesh.data(v).number = static_cast<Index>(v.idx());
-    const NgonTriangles given(source.arrays());
     std::vector<int> taken;
     for (int f = 0; f + 1 < static_cast<int>(source.polygon_offsets.size()); ++f)
         (add(mesh, triangles_of(source, given, f), f) ? taken : refused).push_back(f);
@@ -135,7 +134,6 @@ RepairedMesh Triangulated::arrays(const RepairedMesh& source) const {
         }
         finish(mesh.data(f).polygon);
     }
-    const NgonTriangles given(source.arrays());
     for (const int f : refused) {
         for (int c = source.polygon_offsets[f]; c < source.polygon_offsets[f + 1]; ++c) {
             out.corner_verts.push_back(number[source.corner_verts[c]]);

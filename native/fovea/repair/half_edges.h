@@ -27,6 +27,7 @@ using HalfEdges = OpenMesh::TriMesh_ArrayKernelT<HalfEdgeTraits>;
 struct Triangulated {
     HalfEdges mesh;
     std::vector<int> refused;  ///< polygon indices
+    NgonTriangles given;       ///< of the source mesh
 
     explicit Triangulated(const RepairedMesh& source);
     /// The triangles, followed by the refused polygons of `source`, the mesh it was built from; copies its report.
