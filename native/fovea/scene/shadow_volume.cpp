@@ -52,8 +52,7 @@ Occluding::Occluding(const Tracer& tracer, const Hit& hit, double margin) : plac
 Interval Occluding::hides(const Tracer& tracer, const dvec3& a, const dvec3& b, const Ignore& ignore) const {
     if (!volume_.usable()) return {};
     const Surface& surface = *tracer.scene().placements[placement_].surface;
-    // The distance to a curve's own surface is handled by rays only.
-    if (placement_ == ignore.placement && ignore.across_triangles()) return {};
+    if (ignore.leaves_to_rays(placement_)) return {};
     if (ignore.holds(placement_, surface, triangle_)) return {};
     if (other_ != none && ignore.holds(placement_, surface, other_)) return {};
     return volume_.hides(a, b);

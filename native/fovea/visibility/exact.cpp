@@ -39,14 +39,15 @@ class Marcher {
                 // A gap of less than a sample between two shadows counts as hidden.
                 hidden.back().end = std::max(hidden.back().end, by.end);
             } else {
-                const double begin = narrow(by.begin, seen, -1.0, tolerance);
+                const double begin = seen > 0.0 ? narrow(by.begin, seen, -1.0, tolerance)
+                                                : reach(by.begin, 0.0, -1.0, tolerance);
                 // At the beginning of the segment no visible position is known.
                 hidden.push_back({i == 0 && begin <= tolerance ? 0.0 : begin, by.end});
                 was_hidden = true;
             }
         }
         if (!was_hidden || hidden.back().end >= 1.0) return;
-        const double end = narrow(hidden.back().end, 1.0, 1.0, tolerance);
+        const double end = reach(hidden.back().end, 1.0, 1.0, tolerance);
         hidden.back().end = 1.0 - end <= tolerance ? 1.0 : end;
     }
 
@@ -54,14 +55,20 @@ class Marcher {
     /// The interval around s that one triangle hides; empty where s is visible.
     Interval hidden_at(double s) {
         const auto hides = [&](const Occluding& by) { return hidden_by(by, tracer_, *segment_); };
-        if (const Interval* interval = known_.around(s, hides)) return *interval;
+        if (const Interval* interval = known_.around(s, hides)) {
+            by_ray_ = false;
+            return *interval;
+        }
         const auto hit = tracer_.occluder(vec3(segment_->at(s)), segment_->ignore);
         if (!hit) return {};
+        by_ray_ = segment_->ignore.leaves_to_rays(hit->placement);
+        if (by_ray_) return {s, s};
         const Occluding by(tracer_, *hit);
         const Interval interval = hides(by);
         known_.remember({by, interval});
         // The ray is authoritative: the triangle hides at least the ray's own sample, despite rounding.
-        return interval.holds(s) ? interval : Interval{s, s};
+        by_ray_ = !interval.holds(s);
+        return by_ray_ ? Interval{s, s} : interval;
     }
 
     /// Refines an end of a hidden interval, between `hidden` and the visible position `seen`; `way` points out of the
@@ -69,7 +76,8 @@ class Marcher {
     double narrow(double hidden, double seen, double way, double tolerance) {
         double visible = seen;
         for (int steps = 0; (visible - hidden) * way > tolerance && steps < 24; ++steps) {
-            const double s = steps < 6 ? hidden + way * tolerance : 0.5 * (hidden + visible);
+            // What hides the next point mostly hides many more; a ray alone says nothing of others.
+            const double s = steps < 6 && !by_ray_ ? hidden + way * tolerance : 0.5 * (hidden + visible);
             const Interval by = hidden_at(s);
             if (by.is_empty())
                 visible = s;
@@ -79,8 +87,15 @@ class Marcher {
         return way < 0.0 ? std::max(hidden, seen) : std::min(hidden, seen);
     }
 
+    /// As `narrow`, with an end of the segment, of which nothing is known.
+    double reach(double hidden, double end, double way, double tolerance) {
+        const bool asks = by_ray_ && (end - hidden) * way > tolerance;
+        return asks && !hidden_at(end).is_empty() ? end : narrow(hidden, end, way, tolerance);
+    }
+
     const Tracer& tracer_;
     const Segment* segment_ = nullptr;
+    bool by_ray_ = false;  // the last hidden point is known to be so by a ray alone
     /// Kept across segments: neighbors are mostly hidden by the same triangles.
     Remembered<Occluding, 8> known_;
 };
