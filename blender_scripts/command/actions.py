@@ -174,23 +174,26 @@ def bench_light(target, words):
     parser.add_argument("--repeats", type=peers.count, default=3, metavar="N", help="of which medians are taken (3)")
     parser.add_argument("--size", type=peers.frame_size, default=(1920, 1080), metavar="WxH", help="(1920x1080)")
     options = parser.parse_args(words)
-    extension.install(target)
-    out = target.work / "light.json"
-    asked = vars(options) | {"out": str(out), "shared": str(shared() or "")}
-    script = PROJECT / "blender_scripts" / "bench" / "light.py"
-    in_blender(target, f"measuring light in {', '.join(options.scenes)}", script, [json.dumps(asked)])
-    print(out.read_text())
+    asked = vars(options) | {"shared": str(shared() or "")}
+    print(written_by(target, f"measuring light in {', '.join(options.scenes)}", "bench/light.py", asked))
     return 0
 
 
 def bench_by_script(target, name, sentence, words):
     """Prints what a script of bench/ writes to a file, which it gets besides words of `fovea draw`."""
     scene = draw_options.parse(words).scene
-    extension.install(target)
-    out = target.work / f"{name}.json"
-    in_blender(target, f"{sentence} {scene}", PROJECT / "blender_scripts" / "bench" / f"{name}.py", [out, *words])
-    print(out.read_text())
+    print(written_by(target, f"{sentence} {scene}", f"bench/{name}.py", words))
     return 0
+
+
+def written_by(target, sentence, script, asked):
+    """The text that a script of blender_scripts/ writes, run in Blender with the extension, to the file that is the
+    first of its words, before `asked`; or, if that is a dictionary, to its `out`, with the rest as JSON."""
+    extension.install(target)
+    out = Path(os.environ["TMPDIR"], "written.json")
+    words = [json.dumps(asked | {"out": str(out)})] if isinstance(asked, dict) else [out, *asked]
+    in_blender(target, sentence, PROJECT / "blender_scripts" / script, words)
+    return out.read_text()
 
 
 def in_blender(target, sentence, script, words, **environment):

@@ -4,12 +4,9 @@ and sheets of paper to draw on."""
 
 import argparse
 import json
-import os
 from pathlib import Path
 
 from . import actions, model_files, output, quantities
-from . import package as extension
-from .target import PROJECT
 
 SHEETS = "a4", "a3", "letter"
 REPORTS = ".html", ".png"
@@ -22,11 +19,7 @@ def compare(target, words):
     if options.sheet:
         return write_sheet(target, options)
     if options.scene:
-        extension.install(target)
-        out = Path(os.environ["TMPDIR"], "compared.json")
-        script = PROJECT / "blender_scripts" / "compare.py"
-        actions.in_blender(target, f"drawing the lines of {options.scene}", script, [out, *words])
-        found = json.loads(out.read_text())
+        found = json.loads(actions.written_by(target, f"drawing the lines of {options.scene}", "compare.py", words))
     else:
         compared = of_files(actions.imported(target, "comparison"), options)
         if options.output:

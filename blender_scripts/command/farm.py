@@ -10,8 +10,6 @@ import os
 from pathlib import Path
 
 from . import actions, quantities
-from . import package as extension
-from .target import PROJECT
 
 
 def farm(target, words):
@@ -26,12 +24,8 @@ def farm(target, words):
 
 def checked(target, folders, frames):
     """What the add-on's check finds in folders: {result, sentences}."""
-    extension.install(target)
-    out = Path(os.environ["TMPDIR"], "found.json")
-    script = PROJECT / "blender_scripts" / "farm_check.py"
     words = [*folders, *(["--frames", _range(*frames)] if frames else [])]
-    actions.in_blender(target, f"checking {folders[0].name}", script, [out, *words])
-    return json.loads(out.read_text())
+    return json.loads(actions.written_by(target, f"checking {folders[0].name}", "farm_check.py", words))
 
 
 def alone_and_in_order(target, file, frames, scripts):

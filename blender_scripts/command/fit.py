@@ -4,12 +4,9 @@ scene as artists have drawn it."""
 
 import argparse
 import json
-import os
 from pathlib import Path
 
 from . import actions, compare, model_files, output, quantities
-from . import package as extension
-from .target import PROJECT
 
 BASE = "plain"  # what fitted lines are drawn with, unless --style says it
 BETA = 0.5, 2.0  # from clean to complete
@@ -18,11 +15,7 @@ BETA = 0.5, 2.0  # from clean to complete
 def fit(target, words):
     options = parse(words)
     output.check(options.output)
-    extension.install(target)
-    out = Path(os.environ["TMPDIR"], "fitted.json")
-    script = PROJECT / "blender_scripts" / "fit.py"
-    actions.in_blender(target, f"fitting the lines of {options.scene}", script, [out, *words])
-    found = json.loads(out.read_text())
+    found = json.loads(actions.written_by(target, f"fitting the lines of {options.scene}", "fit.py", words))
     print(json.dumps(found) if options.json else told(found))
     return 0
 

@@ -4,13 +4,10 @@ is its focus; in Blender only for scenes."""
 
 import argparse
 import json
-import os
 import tempfile
 from pathlib import Path
 
 from . import actions, draw_options, output
-from . import package as extension
-from .target import PROJECT
 
 OTHERS = "frames", "cameras", "over", "sheet", "dump", "one_bit"  # words of `fovea draw` that make another picture
 
@@ -68,9 +65,5 @@ def of_picture(target, options):
 
 def of_scene(target, options, of_draw):
     """The same of a scene's drawing."""
-    extension.install(target)
-    out = Path(os.environ["TMPDIR"], "gaze.json")
-    asked = {"out": str(out), "heat": str(options.output or ""), "strengthen": options.strengthen, "draw": of_draw}
-    script = PROJECT / "blender_scripts" / "gaze.py"
-    actions.in_blender(target, f"drawing {options.of}", script, [json.dumps(asked)])
-    return json.loads(out.read_text())
+    asked = {"heat": str(options.output or ""), "strengthen": options.strengthen, "draw": of_draw}
+    return json.loads(actions.written_by(target, f"drawing {options.of}", "gaze.py", asked))

@@ -6,8 +6,7 @@ import argparse
 import json
 
 from . import actions
-from . import package as extension
-from .target import PROJECT, SHARED
+from .target import SHARED
 
 
 def ink(target, words):
@@ -17,11 +16,8 @@ def ink(target, words):
     parser.add_argument("--json", action="store_true", help="print JSON instead of a table")
     options = parser.parse_args(words)
     models = options.models or [*sorted(map(str, (SHARED / "models").rglob("*.obj"))), "demo"]
-    extension.install(target)
-    out = target.work / "ink.json"
-    script = PROJECT / "blender_scripts" / "bench" / "ink.py"
-    actions.in_blender(target, f"drawing {len(models)} models", script, [out, options.style, *models])
-    rows = json.loads(out.read_text())
+    asked = [options.style, *models]
+    rows = json.loads(actions.written_by(target, f"drawing {len(models)} models", "bench/ink.py", asked))
     print(json.dumps(rows, indent=1) if options.json else table(rows))
     return 0
 

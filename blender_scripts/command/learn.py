@@ -4,12 +4,9 @@ and `fovea learn --predict SCENE --model MODEL.json -o OUT.png`: the lines that 
 
 import argparse
 import json
-import os
 from pathlib import Path
 
 from . import actions, model_files, output, quantities
-from . import package as extension
-from .target import PROJECT
 
 KINDS = "regression", "tree", "forest"
 OF_LEARNING = "kind", "tolerance", "register"  # words that only learning takes
@@ -19,12 +16,8 @@ OF_PREDICTING = "model", "threshold", "size", "probability"
 def learn(target, words):
     options = parse(words)
     output.check(options.output)
-    extension.install(target)
-    out = Path(os.environ["TMPDIR"], "learned.json")
-    script = PROJECT / "blender_scripts" / "learn.py"
     doing = "drawing" if options.predict else "learning the lines of"
-    actions.in_blender(target, f"{doing} {options.scene}", script, [out, *words])
-    found = json.loads(out.read_text())
+    found = json.loads(actions.written_by(target, f"{doing} {options.scene}", "learn.py", words))
     print(json.dumps(found) if options.json else found["picture"] if options.predict else told(found))
     return 0
 

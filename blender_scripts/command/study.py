@@ -17,7 +17,6 @@ from pathlib import Path
 from gauges import analysis, formulas, page, records, report, several
 
 from . import actions, draw_options, output, quantities
-from . import package as extension
 from .target import PROJECT
 
 SIZE = 1024, 768
@@ -126,18 +125,15 @@ def make(target, options):
     for style in options.styles:
         if style != SHADED:
             actions.check_style(target, style)
-    extension.install(target)
     work = Path(os.environ["TMPDIR"], "study")
     work.mkdir()
     pictures = {name: work / f"{name}.png" for name in options.names.values()}
     asked = {
-        "out": str(work / "found.json"), "draw": options.draw, "gauges": options.gauges, "seed": options.seed,
+        "draw": options.draw, "gauges": options.gauges, "seed": options.seed,
         "strings": options.string, "shaded": SHADED, "pictures": {name: str(path) for name, path in pictures.items()},
         "styles": {name: [] if style == SHADED else ["--style", style] for style, name in options.names.items()},
     }  # fmt: skip
-    script = PROJECT / "blender_scripts" / "study.py"
-    actions.in_blender(target, f"drawing {options.scene} for a study", script, [json.dumps(asked)])
-    found = json.loads((work / "found.json").read_text())
+    found = json.loads(actions.written_by(target, f"drawing {options.scene} for a study", "study.py", asked))
     drawn = {name: path.read_bytes() for name, path in pictures.items()}
     told = described(options, found, drawn)
     files = {f"{name}.png": content for name, content in drawn.items()}
