@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Each run of a command has a log of its own, also beside another run of the same words."""
 
+import json
 import os
 import re
 import subprocess
@@ -77,3 +78,16 @@ def test_a_step_that_is_repeated_in_a_run_begins_its_log_anew(tmp_path):
     for word in ("one", "two"):
         log = own.run("working", ["echo", word])
         assert log == tmp_path / "log" / "working.log" and log.read_text() == f"{word}\n"
+
+
+@pytest.mark.parametrize("asked", [["words"], {"draw": "words"}])
+def test_what_a_script_writes_is_in_the_temporary_folder_of_the_run(asked, monkeypatch, tmp_path):
+    def in_blender(_target, _sentence, script, words):
+        out = json.loads(words[0])["out"] if isinstance(asked, dict) else words[0]
+        assert Path(out).parent == tmp_path and script.name == "fit.py"
+        Path(out).write_text("[1]")
+
+    monkeypatch.setenv("TMPDIR", str(tmp_path))
+    monkeypatch.setattr(actions, "in_blender", in_blender)
+    monkeypatch.setattr(actions.extension, "install", lambda _target: None)
+    assert actions.written_by(None, "fitting", "fit.py", asked) == "[1]"
