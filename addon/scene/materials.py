@@ -23,6 +23,9 @@ class Slot:
     remark: str = field(default="", compare=False)  # phrase on whether it occludes and why, if that is not obvious
 
 
+EMPTY = Slot("")
+
+
 def slots(obj, mesh, known):
     """The Slots of an evaluated object's mesh, including object-linked ones. `known`: {name: Slot} cache for a
     frame."""
@@ -51,7 +54,7 @@ def opacity(material):
 
 def _slot(material, known):
     if material is None:
-        return Slot("")
+        return EMPTY
     name = material.name_full
     if name not in known:
         shader = shader_links.surface_shader(material)

@@ -17,7 +17,6 @@ class Repair:
         return asdict(self)
 
 
-NOTHING = Repair()
 # A mesh of which resampling makes more is not resampled: 6 GB are needed meanwhile. It is the same on every machine and
 # with every Memory Limit, because pictures may not depend on these.
 MOST_TRIANGLES = 10_000_000
@@ -32,9 +31,10 @@ REMOVED = {"repair_weld": "Weld", "repair_smooth": "Smooth"}  # settings of old 
 
 def of(settings):
     """The Repair in an object's settings; None if it does nothing."""
-    length = settings.repair_edge_length if settings.repair_resample else 0.0
-    wanted = Repair(settings.repair_orient, settings.repair_resample, length)
-    return None if wanted == NOTHING else wanted
+    orient, resample = settings.repair_orient, settings.repair_resample
+    if not orient and not resample:
+        return None
+    return Repair(orient, resample, settings.repair_edge_length if resample else 0.0)
 
 
 def remarks_of_removed(obj):

@@ -80,13 +80,14 @@ class _Gathering:
     def add_data(self, met, usage):
         """Adds what is drawn of an instance's own data."""
         obj = met.object
-        if isinstance(obj.data, bpy.types.Mesh):
+        data = obj.data
+        if isinstance(data, bpy.types.Mesh):
             if is_edited(obj):
                 # The arrays of an edited mesh are empty; to_mesh creates a mesh with them.
-                self.add_mesh(obj.to_mesh(), met, usage)
+                self.add_mesh(obj.to_mesh(), (met.name, data.as_pointer()), met, usage)
                 obj.to_mesh_clear()
             else:
-                self.add_mesh(obj.data, met, usage)
+                self.add_mesh(data, data.as_pointer(), met, usage)
         # Objects that Blender converts to meshes appear twice: with their own data, and with the mesh, if it has faces.
         elif obj.type in bare_shapes.CURVES:
             self.add_wire(met, usage)
@@ -112,13 +113,9 @@ class _Gathering:
         holdout = met.real.is_holdout or owner.holdout_get(view_layer=self.layer)
         return OCCLUDE | HOLDOUT if holdout and usage & OCCLUDE else usage
 
-    def surface_index(self, mesh, met):
-        # Evaluated meshes keep their addresses during one traversal of a depsgraph, so a pointer identifies one, except
-        # the temporary mesh of edit mode and that of a curve. The object is part of the key because it may have its own
-        # materials.
+    def surface_index(self, mesh, place, met):
+        # The object is part of the key because it may have its own materials.
         obj, real = met.object, met.real
-        is_mesh = isinstance(obj.data, bpy.types.Mesh)
-        place = mesh.as_pointer() if is_mesh and not is_edited(obj) else (met.name, obj.data.as_pointer())
         known = (place, met.name)
         if known not in self.index_of:
             slots = materials.slots(obj, mesh, self.known_materials)
@@ -172,10 +169,11 @@ class _Gathering:
             found = self.cache.surface(key, name, mesh, slots, mend, cuts, **words)
         return found
 
-    def add_mesh(self, mesh, met, usage):
-        """Adds the Origin of an evaluated mesh. Skips empty meshes."""
+    def add_mesh(self, mesh, place, met, usage):
+        """Adds the Origin of an evaluated mesh. Skips empty meshes. `place`: identifies the mesh in this traversal, as
+        its address does, except of the temporary mesh of edit mode and that of a curve."""
         if len(mesh.edges):
-            self.add_origin(self.surface_index(mesh, met), met, usage)
+            self.add_origin(self.surface_index(mesh, place, met), met, usage)
 
     def add_shape(self, shape, met, usage):
         """Adds the Origin of a bare_shapes.Shape, unless it is empty."""
@@ -202,7 +200,7 @@ class _Gathering:
         elif obj.original in self.known_guides:
             self.left_out[obj.name] = bare_shapes.GUIDE
         else:
-            self.add_mesh(mesh, met, usage)
+            self.add_mesh(mesh, (met.name, obj.data.as_pointer()), met, usage)
         obj.to_mesh_clear()
 
     def add_origin(self, surface, met, usage, shape=None):

@@ -30,8 +30,9 @@ def plan(real, mesh, depsgraph):
     refined only if their setting Refine is on. Modifiers with Use Limit Surface off, and objects in edit mode, are left
     to Blender.
     """
-    wanted = real.fovea.refine_level if real.fovea.refine else 0
-    if real.data == mesh and not is_edited(real):
+    settings = real.fovea
+    wanted = settings.refine_level if settings.refine else 0
+    if len(real.modifiers) and real.data == mesh and not is_edited(real):
         index = _last_modifier(real, depsgraph.mode)
         modifier = None if index is None else real.modifiers[index]
         if modifier is not None and modifier.type == "SUBSURF" and modifier.subdivision_type == "CATMULL_CLARK":
