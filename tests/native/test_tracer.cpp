@@ -69,18 +69,6 @@ TEST(Tracer, OccluderIsTheNearestThatHides) {
         EXPECT_EQ(hides(-9), 0);
         EXPECT_NEAR(tracer.occluder(in_view(view, {0.1, 0.2, -6}), nothing)->t, ortho ? (3 - 0.1) / (6 - 0.1) : 0.5,
                     1e-5);
-        const auto next = [&](double z) {
-            const auto hit = tracer.next_occluder(in_view(view, {0.1, 0.2, z}), nothing);
-            return hit ? int(hit->placement) : -1;
-        };
-        EXPECT_EQ(next(-0.05), -1) << "before the near plane";
-        EXPECT_EQ(next(-3), -1) << "on the first";
-        EXPECT_EQ(next(-4), 0);
-        EXPECT_EQ(next(-5), 0) << "on the second, behind the first";
-        EXPECT_EQ(next(-6), 1) << "the one before the point";
-        EXPECT_EQ(next(-9), 2);
-        EXPECT_NEAR(tracer.next_occluder(in_view(view, {0.1, 0.2, -4}), nothing)->t,
-                    tracer.occluder(in_view(view, {0.1, 0.2, -4}), nothing)->t, 1e-5);
         const auto behind = [&](double z) {
             const auto hit = tracer.behind(in_view(view, {0.1, 0.2, z}), nothing);
             return hit ? int(hit->placement) : -1;

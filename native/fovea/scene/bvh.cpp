@@ -189,8 +189,7 @@ RayContext::RayContext(const Tracer::Bvh& of, const Ray& ray, const Ignore& skip
       direction(ray.direction),
       near_t(ray.near_t),
       far_t(ray.far_t),
-      reach_t(skipped.reach > 0.0f ? skipped.reach / glm::length(direction) : 0.0),
-      to_eye(ray.to_eye) {
+      reach_t(skipped.reach > 0.0f ? skipped.reach / glm::length(direction) : 0.0) {
     init_context(*this);
 }
 
@@ -213,8 +212,7 @@ bool RayContext::pass(const Tracer::Bvh::Instance& entered) {
 }
 
 double RayContext::along_normal(Index triangle) const {
-    const dvec3 from_eye = to_eye ? -local.direction : local.direction;
-    return glm::dot(mesh::area_vector(surface->positions, surface->triangles[triangle]), from_eye);
+    return glm::dot(mesh::area_vector(surface->positions, surface->triangles[triangle]), local.direction);
 }
 
 bool RayContext::ignored(Index triangle, double t) const {

@@ -142,7 +142,6 @@ struct RayContext : QueryContext {
     const double near_t;
     double far_t;          // hits beyond are of no interest
     const double reach_t;  // ignore.reach as a share of the ray's length
-    const bool to_eye;
 
     const Tracer::Bvh::Instance* instance = nullptr;  // where the ray is, and the ray in object space
     Index placement = none;
@@ -159,8 +158,8 @@ struct RayContext : QueryContext {
     /// The ray meets a triangle between near_t and far_t. May shorten the ray.
     virtual void meet(Index triangle, const TriangleHit& hit) = 0;
 
-    /// The direction from the eye times the normal of a triangle: positive where the back is seen. In object space,
-    /// where winding tells the sides apart.
+    /// The ray's direction times the normal of a triangle: positive where it meets the back. In object space, where
+    /// winding tells the sides apart.
     double along_normal(Index triangle) const;
     bool ignored(Index triangle, double t) const;
 };

@@ -67,13 +67,6 @@ std::optional<Hit> Tracer::occluder(const vec3& point, const Ignore& ignore) con
     return nearest(ray_to(point), ignore);
 }
 
-std::optional<Hit> Tracer::next_occluder(const vec3& point, const Ignore& ignore) const {
-    const Ray ray = ray_to(point);
-    auto hit = nearest({ray.origin + ray.direction, -ray.direction, 1.0 - ray.far_t, 1.0 - ray.near_t, true}, ignore);
-    if (hit) hit->t = 1.0 - hit->t;
-    return hit;
-}
-
 std::optional<Hit> Tracer::along(const dvec3& point, const Ignore& ignore, double near_t) const {
     const dvec3 eye = view_.orthographic ? dvec3(point.x, point.y, 0.0) : dvec3(0.0);
     return nearest(behind_section({eye, point - eye, near_t, infinity}), ignore);

@@ -89,7 +89,6 @@ inline constexpr double ray_margin = 1e-5;
 struct Ray {
     dvec3 origin, direction;
     double near_t, far_t;
-    bool to_eye = false;  ///< it runs from what is seen to the eye, so that fronts are behind what it meets
 };
 
 /// Ray caster over two levels: one BVH per surface, cached with the surface, and one over the placements, in view
@@ -107,10 +106,6 @@ class Tracer {
 
     /// The surface nearest to the eye that hides `point` (view space). Surfaces before the near plane are clipped.
     std::optional<Hit> occluder(const vec3& point, const Ignore& ignore) const;
-
-    /// Of those that hide it, the surface nearest to `point`, which is on a line on edges (`ignore` has no reach).
-    /// Found in less time where faces are large, in more where many small ones are around the point.
-    std::optional<Hit> next_occluder(const vec3& point, const Ignore& ignore) const;
 
     /// Surfaces that hide `point`, at most `most`, one hit each: a solid counts once per passage through it, an open
     /// shell once per crossing. Hits on the same component closer together than ray_margin count as one, as where a

@@ -12,9 +12,6 @@ namespace {
 /// Of pieces, of which a scene may have very many short ones or few long ones.
 constexpr std::size_t points_per_block = 512;
 
-/// Number of samples from which a segment on an edge tells that the faces around it are large.
-constexpr Index many_samples = 8;
-
 /// Computes visibility along consecutive segments, with a cache of recent occluders.
 class Marcher {
    public:
@@ -24,7 +21,6 @@ class Marcher {
     void march(const Segment& segment, Index samples, double length_px, std::vector<Interval>& hidden) {
         segment_ = &segment;
         known_.next_segment();
-        has_large_faces_ = samples >= many_samples && !segment.ignore.across_triangles();
         const double step = 1.0 / samples, tolerance = exact_tolerance_px / std::max(length_px, 1e-9);
         double seen = 0.0;  // last visible position, or 0
         bool was_hidden = false;
@@ -43,8 +39,8 @@ class Marcher {
                 // A gap of less than a sample between two shadows counts as hidden.
                 hidden.back().end = std::max(hidden.back().end, by.end);
             } else {
-                const double begin =
-                    seen > 0.0 ? narrow(by.begin, seen, -1.0, tolerance) : reach(by.begin, 0.0, -1.0, tolerance);
+                const double begin = seen > 0.0 ? narrow(by.begin, seen, -1.0, tolerance)
+                                                : reach(by.begin, 0.0, -1.0, tolerance);
                 // At the beginning of the segment no visible position is known.
                 hidden.push_back({i == 0 && begin <= tolerance ? 0.0 : begin, by.end});
                 was_hidden = true;
@@ -63,9 +59,7 @@ class Marcher {
             by_ray_ = false;
             return *interval;
         }
-        const vec3 point(segment_->at(s));
-        const auto hit = has_large_faces_ ? tracer_.next_occluder(point, segment_->ignore)
-                                          : tracer_.occluder(point, segment_->ignore);
+        const auto hit = tracer_.occluder(vec3(segment_->at(s)), segment_->ignore);
         if (!hit) return {};
         by_ray_ = segment_->ignore.leaves_to_rays(hit->placement);
         if (by_ray_) return {s, s};
@@ -101,8 +95,7 @@ class Marcher {
 
     const Tracer& tracer_;
     const Segment* segment_ = nullptr;
-    bool has_large_faces_ = false;  // next to it
-    bool by_ray_ = false;           // the last hidden point is known to be so by a ray alone
+    bool by_ray_ = false;  // the last hidden point is known to be so by a ray alone
     /// Kept across segments: neighbors are mostly hidden by the same triangles.
     Remembered<Occluding, 8> known_;
 };
