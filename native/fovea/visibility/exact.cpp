@@ -39,8 +39,8 @@ class Marcher {
                 // A gap of less than a sample between two shadows counts as hidden.
                 hidden.back().end = std::max(hidden.back().end, by.end);
             } else {
-                const double begin = seen > 0.0 ? narrow(by.begin, seen, -1.0, tolerance)
-                                                : reach(by.begin, 0.0, -1.0, tolerance);
+                const double begin =
+                    seen > 0.0 ? narrow(by.begin, seen, -1.0, tolerance) : reach(by.begin, 0.0, -1.0, tolerance);
                 // At the beginning of the segment no visible position is known.
                 hidden.push_back({i == 0 && begin <= tolerance ? 0.0 : begin, by.end});
                 was_hidden = true;
