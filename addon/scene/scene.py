@@ -79,12 +79,11 @@ class _Gathering:
 
     def add_data(self, met, usage):
         """Adds what is drawn of an instance's own data."""
-        obj = met.object
-        data = obj.data
+        obj, data = met.object, met.object.data
         if isinstance(data, bpy.types.Mesh):
             if is_edited(obj):
                 # The arrays of an edited mesh are empty; to_mesh creates a mesh with them.
-                self.add_mesh(obj.to_mesh(), (met.name, data.as_pointer()), met, usage)
+                self.add_mesh(obj.to_mesh(), _of_temporary(met), met, usage)
                 obj.to_mesh_clear()
             else:
                 self.add_mesh(data, data.as_pointer(), met, usage)
@@ -170,8 +169,8 @@ class _Gathering:
         return found
 
     def add_mesh(self, mesh, place, met, usage):
-        """Adds the Origin of an evaluated mesh. Skips empty meshes. `place`: identifies the mesh in this traversal, as
-        its address does, except of the temporary mesh of edit mode and that of a curve."""
+        """Adds the Origin of an evaluated mesh. Skips empty meshes. `place`: what identifies the mesh. Addresses do, as
+        evaluated meshes keep them during a traversal, but not those of temporary meshes (`_of_temporary`)."""
         if len(mesh.edges):
             self.add_origin(self.surface_index(mesh, place, met), met, usage)
 
@@ -200,7 +199,7 @@ class _Gathering:
         elif obj.original in self.known_guides:
             self.left_out[obj.name] = bare_shapes.GUIDE
         else:
-            self.add_mesh(mesh, (met.name, obj.data.as_pointer()), met, usage)
+            self.add_mesh(mesh, _of_temporary(met), met, usage)
         obj.to_mesh_clear()
 
     def add_origin(self, surface, met, usage, shape=None):
@@ -266,6 +265,11 @@ class _Gathering:
             [self.cache.at_rest.decided.get(id(surface)) for surface in self.surfaces],
         )
         return Snapshot(self.surfaces, self.slots, self.origins, origin_of, matrices[steps], ids, usage, *told)
+
+
+def _of_temporary(met):
+    """What identifies the temporary mesh that Blender makes of an instance's object."""
+    return met.name, met.object.data.as_pointer()
 
 
 def _curvature(settings):

@@ -187,8 +187,8 @@ def bench_by_script(target, name, sentence, words):
 
 
 def written_by(target, sentence, script, asked):
-    """The text that a script of blender_scripts/ writes, run in Blender with the extension, to the file that is the
-    first of its words, before `asked`; or, if that is a dictionary, to its `out`, with the rest as JSON."""
+    """What a script of blender_scripts/ writes, as text; it runs in Blender with the extension. `asked`: words, before
+    which it gets the path of its file, or a dictionary, which it gets as JSON, with the path as `out`."""
     extension.install(target)
     out = Path(os.environ["TMPDIR"], "written.json")
     words = [json.dumps(asked | {"out": str(out)})] if isinstance(asked, dict) else [out, *asked]

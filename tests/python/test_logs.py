@@ -85,6 +85,7 @@ def test_what_a_script_writes_is_in_the_temporary_folder_of_the_run(asked, monke
     def in_blender(_target, _sentence, script, words):
         out = json.loads(words[0])["out"] if isinstance(asked, dict) else words[0]
         assert Path(out).parent == tmp_path and script.name == "fit.py"
+        assert json.loads(words[0])["draw"] == "words" if isinstance(asked, dict) else words[1:] == asked
         Path(out).write_text("[1]")
 
     monkeypatch.setenv("TMPDIR", str(tmp_path))

@@ -86,7 +86,7 @@ def drawing(request, tmp_path, monkeypatch):
     (tmp_path / "tmp").mkdir()
     monkeypatch.setenv("TMPDIR", str(tmp_path / "tmp"))
     monkeypatch.setattr(actions, "check_style", lambda target, style: None)
-    monkeypatch.setattr(study.extension, "install", lambda target: None)
+    monkeypatch.setattr(actions.extension, "install", lambda target: None)
     monkeypatch.setattr(actions, "in_blender", drawn.in_blender)
     if request.param == "empty":
         drawn.folder.mkdir()

@@ -33,7 +33,8 @@ struct Ignore {
     Index other_placement = none, other_facet = none;
 
     bool across_triangles() const { return around.x != none; }
-    /// Whether rays alone tell what a placement's surface hides: the distance of a line across triangles to its own.
+    /// Whether rays alone tell what a placement's surface hides: they handle how near a line across triangles is to its
+    /// own surface.
     bool leaves_to_rays(Index of) const { return of == placement && across_triangles(); }
     /// Whether a facet of the placement's surface is not of another solid than the line. Shells may be the patches of
     /// one shape.

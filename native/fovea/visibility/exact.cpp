@@ -24,78 +24,87 @@ class Marcher {
         const double step = 1.0 / samples, tolerance = exact_tolerance_px / std::max(length_px, 1e-9);
         double seen = 0.0;  // last visible position, or 0
         bool was_hidden = false;
+        End last{};  // of the last interval
         for (Index i = 0; i < samples; ++i) {
             const double s = (i + 0.5) * step;
-            if (was_hidden && hidden.back().end >= s) {
-                i = std::max(i, static_cast<Index>(std::min(hidden.back().end * samples - 0.5, samples - 1.0)));
+            if (was_hidden && last.at >= s) {
+                i = std::max(i, static_cast<Index>(std::min(last.at * samples - 0.5, samples - 1.0)));
                 continue;
             }
             const Interval by = hidden_at(s);
             if (by.is_empty()) {
-                if (was_hidden) hidden.back().end = narrow(hidden.back().end, s, 1.0, tolerance);
+                if (was_hidden) hidden.back().end = narrow(last, s, 1.0, tolerance);
                 was_hidden = false;
                 seen = s;
             } else if (was_hidden) {
                 // A gap of less than a sample between two shadows counts as hidden.
-                hidden.back().end = std::max(hidden.back().end, by.end);
+                if (by.end > last.at) last = {by.end, is_by_ray(by)};
             } else {
+                const End first{by.begin, is_by_ray(by)};
                 const double begin =
-                    seen > 0.0 ? narrow(by.begin, seen, -1.0, tolerance) : reach(by.begin, 0.0, -1.0, tolerance);
+                    seen > 0.0 ? narrow(first, seen, -1.0, tolerance) : narrow_to_end(first, 0.0, -1.0, tolerance);
                 // At the beginning of the segment no visible position is known.
-                hidden.push_back({i == 0 && begin <= tolerance ? 0.0 : begin, by.end});
+                hidden.push_back({i == 0 && begin <= tolerance ? 0.0 : begin, 1.0});
+                last = {by.end, is_by_ray(by)};
                 was_hidden = true;
             }
         }
-        if (!was_hidden || hidden.back().end >= 1.0) return;
-        const double end = reach(hidden.back().end, 1.0, 1.0, tolerance);
+        if (!was_hidden) return;
+        const double end = narrow_to_end(last, 1.0, 1.0, tolerance);
         hidden.back().end = 1.0 - end <= tolerance ? 1.0 : end;
     }
 
    private:
-    /// The interval around s that one triangle hides; empty where s is visible.
+    /// An end of a hidden interval.
+    struct End {
+        double at;
+        bool by_ray;  ///< a ray alone tells that it is hidden, and nothing of the points beside it
+    };
+
+    /// The interval around s that one triangle hides, or s alone if a ray tells no more; empty where s is visible.
     Interval hidden_at(double s) {
         const auto hides = [&](const Occluding& by) { return hidden_by(by, tracer_, *segment_); };
-        if (const Interval* interval = known_.around(s, hides)) {
-            by_ray_ = false;
-            return *interval;
-        }
+        if (const Interval* interval = known_.around(s, hides)) return *interval;
         const auto hit = tracer_.occluder(vec3(segment_->at(s)), segment_->ignore);
         if (!hit) return {};
-        by_ray_ = segment_->ignore.leaves_to_rays(hit->placement);
-        if (by_ray_) return {s, s};
-        const Occluding by(tracer_, *hit);
-        const Interval interval = hides(by);
-        known_.remember({by, interval});
+        if (!segment_->ignore.leaves_to_rays(hit->placement)) {
+            const Occluding by(tracer_, *hit);
+            const Interval interval = hides(by);
+            known_.remember({by, interval});
+            if (interval.holds(s)) return interval;
+        }
         // The ray is authoritative: the triangle hides at least the ray's own sample, despite rounding.
-        by_ray_ = !interval.holds(s);
-        return by_ray_ ? Interval{s, s} : interval;
+        return {s, s};
     }
+
+    static bool is_by_ray(const Interval& hidden) { return hidden.begin == hidden.end; }
 
     /// Refines an end of a hidden interval, between `hidden` and the visible position `seen`; `way` points out of the
     /// interval: -1 at its begin, 1 at its end.
-    double narrow(double hidden, double seen, double way, double tolerance) {
+    double narrow(End hidden, double seen, double way, double tolerance) {
         double visible = seen;
-        for (int steps = 0; (visible - hidden) * way > tolerance && steps < 24; ++steps) {
-            // What hides the next point mostly hides many more; a ray alone says nothing of others.
-            const double s = steps < 6 && !by_ray_ ? hidden + way * tolerance : 0.5 * (hidden + visible);
+        for (int steps = 0; (visible - hidden.at) * way > tolerance && steps < 24; ++steps) {
+            // What hides a point just beyond an interval mostly hides many more.
+            const bool beside = steps < 6 && !hidden.by_ray;
+            const double s = beside ? hidden.at + way * tolerance : 0.5 * (hidden.at + visible);
             const Interval by = hidden_at(s);
             if (by.is_empty())
                 visible = s;
             else
-                hidden = way < 0.0 ? std::min(s, by.begin) : std::max(s, by.end);
+                hidden = {way < 0.0 ? std::min(s, by.begin) : std::max(s, by.end), is_by_ray(by)};
         }
-        return way < 0.0 ? std::max(hidden, seen) : std::min(hidden, seen);
+        return way < 0.0 ? std::max(hidden.at, seen) : std::min(hidden.at, seen);
     }
 
-    /// As `narrow`, with an end of the segment, of which nothing is known.
-    double reach(double hidden, double end, double way, double tolerance) {
-        const bool asks = by_ray_ && (end - hidden) * way > tolerance;
+    /// The same up to an end of the segment, of which it is not known whether it is visible. Where rays alone tell, it
+    /// is asked for first: most lines that their own surface hides somewhere are hidden all along a segment.
+    double narrow_to_end(const End& hidden, double end, double way, double tolerance) {
+        const bool asks = hidden.by_ray && (end - hidden.at) * way > tolerance;
         return asks && !hidden_at(end).is_empty() ? end : narrow(hidden, end, way, tolerance);
     }
 
     const Tracer& tracer_;
     const Segment* segment_ = nullptr;
-    bool by_ray_ = false;  // the last hidden point is known to be so by a ray alone
     /// Kept across segments: neighbors are mostly hidden by the same triangles.
     Remembered<Occluding, 8> known_;
 };

@@ -14,7 +14,8 @@ inline constexpr double exact_tolerance_px = 1.0 / 16.0;
 
 /// Visible runs. One ray per atlas sample decides its visibility, unless a triangle hit before already hides it: the
 /// part of a straight segment inside a triangle's shadow volume is one interval in closed form, and samples in it need
-/// no ray. Each change between samples is then narrowed to exact_tolerance_px.
+/// no ray. Each change between samples is then narrowed to exact_tolerance_px. Where only a ray tells that the first or
+/// last sample of a segment is hidden, the segment's end is asked for: if it is hidden, too, so is all between.
 Runs exact_visibility(const ClippedPaths& clipped, const Paths& paths, const Tracer& tracer, const Cancel& cancel);
 
 /// Per atlas sample: 1 where its point, offset by `offset_px` pixels to the left of its segment (in the image, at the
