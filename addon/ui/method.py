@@ -26,6 +26,7 @@ class RENDER_PT_fovea_performance(FoveaPanel, bpy.types.Panel):
 
     def show(self, layout, context):
         layout.prop(context.scene.fovea, "backend")
+        layout.prop(context.scene.render, "use_persistent_data")
         known = session.last_statistics()
         body = fold(layout, "last_drawn", f"Last Drawn in {_seconds(known):.2f} s") if known else None
         if body:

@@ -171,15 +171,18 @@ def test_a_frame_is_the_same_alone_in_order_backwards_and_shuffled(frame, handed
         assert found.keys() == alone[number].keys() and not any(differing.values()), (number, differing)
 
     shuffled = random.Random(4).sample(FRAMES, len(FRAMES))
-    for order in (reversed(FRAMES), shuffled):
+    for order, persistent in ((reversed(FRAMES), False), (shuffled, True)):
         scene = changing_scene(lines, smoothed)
+        scene.render.use_persistent_data = persistent
         for number in order:
             compare(number, frame(scene, number))
     scene.frame_start, scene.frame_end = FRAMES[0], FRAMES[-1]
     scene.render.filepath = str(tmp_path / "frame_####")
-    bpy.ops.render.render(animation=True)
-    for number in FRAMES:
-        compare(number, handed[number])
+    for persistent in (True, False):
+        scene.render.use_persistent_data = persistent
+        bpy.ops.render.render(animation=True)
+        for number in FRAMES:
+            compare(number, handed.pop(number))
     for name, pixels in alone[FRAMES[1]].items():
         assert (pixels != alone[FRAMES[-2]][name]).any(), name
 

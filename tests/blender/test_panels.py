@@ -28,6 +28,11 @@ def test_panels_draw_with_the_engine_and_for_a_style(scene):
     assert [cls.bl_label for cls in drawn_panels()] == ["Fovea Lines"]
 
 
+def test_performance_has_what_blender_keeps_between_frames(scene):
+    shown = shown_by(part("ui.method").RENDER_PT_fovea_performance).props
+    assert (scene.render, "use_persistent_data") in shown
+
+
 def test_blender_has_every_panel_as_it_was_registered(scene):
     """A panel that is registered as a subclass of another one takes its place."""
     names = [name for name in dir(bpy.types) if "_PT_fovea" in name]
