@@ -9,6 +9,7 @@
 #include <fovea/base/cancel.h>
 #include <fovea/draw/frame.h>
 #include <fovea/field/fields.h>
+#include <fovea/line/streamlines.h>
 #include <fovea/mesh/refine.h>
 #include <fovea/mesh/spheres.h>
 #include <fovea/repair/repair.h>
@@ -148,6 +149,10 @@ TEST(Cancel, IsPolledTheMoreOftenTheMoreThereIsToRead) {
         return [steps] { repair::repaired("box", box().arrays(), {.resample = steps, .edge_length = 0.02}); };
     };
     EXPECT_GE(polls_of(resampled(6)), 2 * polls_of(resampled(4)));
+    const auto streams = [](int power) {
+        return [power] { line::streamlines(*sphere(12).surface(), 0.3, power); };
+    };
+    EXPECT_GE(polls_of(streams(-6)), 3 * polls_of(streams(-4)));
 }
 
 TEST(Cancel, OfAScopeIsForgottenAfterIt) {

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <unordered_map>
 
 #include <fovea/base/cancel.h>
 #include <fovea/base/elementary.h>
@@ -48,44 +47,72 @@ struct Sample {
     Index curve, next;
 };
 
-/// Samples by cells as wide as curves are apart.
+/// Samples by cells as wide as curves are apart, in a table with open addressing: of the cells that are asked for, most
+/// are empty.
 class Grid {
    public:
-    explicit Grid(double cell) : cell_(cell) {}
+    explicit Grid(double width) : width_(width) {}
 
     void add(Sample sample) {
-        const auto [found, is_new] = first_.try_emplace(key(cell_of(sample.at)), Index(samples_.size()));
-        sample.next = is_new ? none : found->second;
-        found->second = Index(samples_.size());
+        if (2 * used_ >= cells_.size()) enlarge();
+        const std::uint64_t key = key_of(cell_of(sample.at));
+        Cell& cell = cells_[slot_of(cells_, key)];
+        used_ += cell.first == none;
+        sample.next = cell.first;
+        cell = {key, Index(samples_.size())};
         samples_.push_back(sample);
     }
 
-    /// Whether is_near(sample) for any sample no farther than a cell's width on the same side of a sheet.
+    /// Whether is_near(sample) for any sample nearer than `distance` on the same side of a sheet.
     template <typename IsNear>
     bool any(const dvec3& at, const dvec3& normal, double distance, const IsNear& is_near) const {
-        const glm::i64vec3 cell = cell_of(at);
-        for (int i = 0; i < 27; ++i) {
-            const int turned = (i + 13) % 27;  // its own cell first
-            const auto found =
-                first_.find(key(cell + glm::i64vec3(turned % 3 - 1, turned / 3 % 3 - 1, turned / 9 - 1)));
-            if (found == first_.end()) continue;
-            for (Index s = found->second; s != none; s = samples_[s].next) {
+        const auto any_in = [&](const glm::i64vec3& cell) {
+            for (Index s = cells_[slot_of(cells_, key_of(cell))].first; s != none; s = samples_[s].next) {
                 const Sample& sample = samples_[s];
                 const dvec3 way = sample.at - at;
                 if (glm::dot(way, way) < distance * distance && glm::dot(normal, sample.normal) > same_side &&
                     is_near(sample))
                     return true;
             }
-        }
+            return false;
+        };
+        const double reach = distance * (1.0 + 1e-6);  // more than what coordinates are rounded by
+        const glm::i64vec3 own = cell_of(at), low = cell_of(at - reach), high = cell_of(at + reach);
+        if (any_in(own)) return true;
+        glm::i64vec3 cell;
+        for (cell.z = low.z; cell.z <= high.z; ++cell.z)
+            for (cell.y = low.y; cell.y <= high.y; ++cell.y)
+                for (cell.x = low.x; cell.x <= high.x; ++cell.x)
+                    if (cell != own && any_in(cell)) return true;
         return false;
     }
 
    private:
-    glm::i64vec3 cell_of(const dvec3& p) const { return glm::i64vec3(glm::floor(p / cell_)); }
-    static std::uint64_t key(const glm::i64vec3& c) { return hash_numbers(c.x, c.y, c.z); }
+    struct Cell {
+        std::uint64_t key = 0;
+        Index first = none;  ///< of its samples; none: there is no such cell
+    };
 
-    double cell_;
-    std::unordered_map<std::uint64_t, Index> first_;
+    glm::i64vec3 cell_of(const dvec3& p) const { return glm::i64vec3(glm::floor(p / width_)); }
+    static std::uint64_t key_of(const glm::i64vec3& c) { return hash_numbers(c.x, c.y, c.z); }
+
+    /// Where in a table the cell of a key is, or would be put.
+    static std::size_t slot_of(In<Cell> cells, std::uint64_t key) {
+        std::size_t slot = key & (cells.size() - 1);
+        while (cells[slot].first != none && cells[slot].key != key) slot = (slot + 1) & (cells.size() - 1);
+        return slot;
+    }
+
+    void enlarge() {
+        std::vector<Cell> larger(2 * cells_.size());
+        for (const Cell& cell : cells_)
+            if (cell.first != none) larger[slot_of(larger, cell.key)] = cell;
+        cells_.swap(larger);
+    }
+
+    double width_;
+    std::vector<Cell> cells_ = std::vector<Cell>(1024);  // a power of two, half of them empty
+    std::size_t used_ = 0;
     std::vector<Sample> samples_;
 };
 
@@ -234,6 +261,7 @@ class Grower {
 
     /// The share of a straight way across a triangle that a curve can go, beginning so far from its seed; with samples.
     double free_share(Growing& curve, Index triangle, const dvec3& from, const dvec3& to, double begins, double sign) {
+        Cancelling::poll();
         const dvec3 n = normal_of(triangle), seed = at(curve.seed);
         const double way = glm::distance(from, to);
         const int steps = std::clamp(int(std::ceil(way / (step * apart_))), 1, 4096);
@@ -322,13 +350,13 @@ class Grower {
     }
 
     void grow_level(int power) {
-        Cancelling::poll();
         power_ = power;
         apart_ = std::ldexp(1.0, power);
         Grid grid(apart_);
         grid_ = &grid;
         // Of dropped curves no samples are left: they may grow at another level.
         for (const Chord& chord : chords_) {
+            Cancelling::poll();
             const auto [from, to] = ends_of(chord);
             const int steps = std::clamp(int(std::ceil(glm::distance(from, to) / (step * apart_))), 1, 4096);
             const dvec3 n = normal_of(chord.triangle);
@@ -357,6 +385,7 @@ class Grower {
 
     /// Grows curves on both sides of a part of one, at each of its places that are as far apart as curves are.
     void grow_beside(const Chord chord) {
+        Cancelling::poll();
         const auto [from, to] = ends_of(chord);
         const dvec3 n = normal_of(chord.triangle), across = glm::cross(n, to - from);
         const double length = glm::length(across);
