@@ -149,9 +149,7 @@ TEST(Cancel, IsPolledTheMoreOftenTheMoreThereIsToRead) {
         return [steps] { repair::repaired("box", box().arrays(), {.resample = steps, .edge_length = 0.02}); };
     };
     EXPECT_GE(polls_of(resampled(6)), 2 * polls_of(resampled(4)));
-    const auto streams = [](int power) {
-        return [power] { line::streamlines(*sphere(12).surface(), 0.3, power); };
-    };
+    const auto streams = [](int power) { return [power] { line::streamlines(*sphere(12).surface(), 0.3, power); }; };
     EXPECT_GE(polls_of(streams(-6)), 3 * polls_of(streams(-4)));
 }
 
