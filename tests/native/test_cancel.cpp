@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Cancellation: every stage of a picture, and everything that is read from a mesh, polls it often enough, told by
 // counts of polls, and ends at once when it is asked.
+#include <array>
 #include <atomic>
 #include <gtest/gtest.h>
 #include <map>
@@ -149,7 +150,9 @@ TEST(Cancel, IsPolledTheMoreOftenTheMoreThereIsToRead) {
         return [steps] { repair::repaired("box", box().arrays(), {.resample = steps, .edge_length = 0.02}); };
     };
     EXPECT_GE(polls_of(resampled(6)), 2 * polls_of(resampled(4)));
-    const auto streams = [](int power) { return [power] { line::streamlines(*sphere(12).surface(), 0.3, power); }; };
+    const auto streams = [](int power) {
+        return [power] { line::streamlines(*sphere(12).surface(), std::array{0.3, 1.0}, power); };
+    };
     EXPECT_GE(polls_of(streams(-6)), 3 * polls_of(streams(-4)));
 }
 

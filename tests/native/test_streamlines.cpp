@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Directions in which surfaces bend, and evenly spaced curves along them: on cylinders and tori they are those of
 // greatest curvature, known in closed form; curves keep their distance; coarser levels are among finer ones.
+#include <array>
 #include <gtest/gtest.h>
 #include <map>
 #include <numbers>
@@ -60,9 +61,9 @@ struct Piece {
 
 std::vector<Piece> pieces(const Surface& surface, double degrees, int power) {
     std::vector<Piece> found;
-    const auto lines = streamlines(surface, glm::radians(degrees), power);
+    const auto lines = streamlines(surface, std::array{glm::radians(degrees)}, power);
     for (Index t = 0; t < surface.triangles.size(); ++t)
-        for (const StreamChord& chord : (*lines)[t]) {
+        for (const StreamChord& chord : lines->front()[t]) {
             dvec3 ends[2];
             for (const int k : {0, 1}) {
                 ends[k] = dvec3(0.0);
@@ -259,11 +260,32 @@ TEST(Streamlines, StayWhereTheyAreOnASurfaceThatDeforms) {
     std::vector<vec3> positions(mesh.positions);
     for (vec3& p : positions) p = vec3(p.x + 0.3f * p.z * p.z, 1.4f * p.y, p.z + 0.5f * p.x);
     moving.set_positions(positions);
-    const auto a = streamlines(still, 0.3, -3), b = streamlines(moving, 0.3, -3);
-    ASSERT_GT(a->values.size(), 500u);
-    ASSERT_EQ(a->values.size(), b->values.size());
-    for (std::size_t i = 0; i < a->values.size(); ++i)
-        for (const int k : {0, 1}) EXPECT_EQ(a->values[i].weight[k], b->values[i].weight[k]);
+    const std::array angles{0.3};
+    const auto of_still = streamlines(still, angles, -3), of_moving = streamlines(moving, angles, -3);
+    const Streamlines &a = of_still->front(), &b = of_moving->front();
+    ASSERT_GT(a.values.size(), 500u);
+    ASSERT_EQ(a.values.size(), b.values.size());
+    for (std::size_t i = 0; i < a.values.size(); ++i)
+        for (const int k : {0, 1}) EXPECT_EQ(a.values[i].weight[k], b.values[i].weight[k]);
+}
+
+TEST(Streamlines, OfSeveralAnglesAreThoseOfEachAlone) {
+    const Mesh mesh = torus(30, 70);
+    const Surface surface(mesh.name, mesh.arrays());
+    const std::array angles{0.3, 1.3, 0.8};
+    const auto together = streamlines(surface, angles, -4);
+    ASSERT_EQ(together->size(), angles.size());
+    for (std::size_t i = 0; i < angles.size(); ++i) {
+        const auto alone = streamlines(surface, std::array{angles[i]}, -4);
+        const Streamlines &a = (*together)[i], &b = alone->front();
+        ASSERT_GT(a.values.size(), 1000u);
+        ASSERT_EQ(a.values.size(), b.values.size());
+        EXPECT_EQ(a.offsets, b.offsets);
+        for (std::size_t k = 0; k < a.values.size(); ++k) {
+            EXPECT_EQ(a.values[k].curve, b.values[k].curve);
+            EXPECT_EQ(a.values[k].weight[0], b.values[k].weight[0]);
+        }
+    }
 }
 
 TEST(Streamlines, EndAtFolds) {
@@ -279,7 +301,7 @@ TEST(Streamlines, EndAtFolds) {
 TEST(Streamlines, OfAHugeSurfaceAreNotMoreThanTheirBound) {
     const Mesh mesh = tube(48, 40);
     const Surface surface(mesh.name, mesh.arrays());
-    const auto bounded = streamlines(surface, 0.0, -1000);
-    EXPECT_GT(bounded->values.size(), 10'000u);
-    EXPECT_LT(bounded->values.size(), 2'000'000u);
+    const auto bounded = streamlines(surface, std::array{0.0}, -1000);
+    EXPECT_GT(bounded->front().values.size(), 10'000u);
+    EXPECT_LT(bounded->front().values.size(), 2'000'000u);
 }

@@ -159,9 +159,9 @@ class Hatcher {
         if (!seen.tracer->scene().section && -center.z - radius > view_.near_clip)
             bodies_ = bodies_of(*seen.tracer->scene().placements[seen.placement].surface);
         if (values.planes == of_form && field::bend_directions(seen.surface)->any) {
-            const int power = finest_power();
-            for (int f = 0; f < values.families; ++f)
-                streams_.push_back(streamlines(seen.surface, angle_of_family(values, f), power));
+            std::vector<double> angles;
+            for (int f = 0; f < values.families; ++f) angles.push_back(angle_of_family(values, f));
+            streams_ = streamlines(seen.surface, angles, finest_power());
             return;
         }
         for (int f = 0; f < values.families; ++f) families_.push_back(family_of(seen, values, f));
@@ -200,8 +200,8 @@ class Hatcher {
                 if (chord(family, triangle, corners, level.value, ends))
                     append_chord({family, triangle, level, ends}, out);
             }
-        for (std::size_t f = 0; f < streams_.size(); ++f)
-            for (const StreamChord& across : (*streams_[f])[triangle])
+        for (std::size_t f = 0; streams_ && f < streams_->size(); ++f)
+            for (const StreamChord& across : (*streams_)[f][triangle])
                 append_stream(Index(f), across, triangle, corners, out);
     }
 
@@ -446,7 +446,7 @@ class Hatcher {
     const HatchLevels levels_;
     const double step_px_;
     std::vector<HatchFamily> families_;
-    std::vector<std::shared_ptr<const Streamlines>> streams_;  // per family, instead
+    std::shared_ptr<const std::vector<Streamlines>> streams_;  // per family, instead; or null
     Array<dvec3> place_;                                       // of the vertices, in view space
     std::shared_ptr<const Bodies> bodies_;
 };

@@ -2,8 +2,8 @@
 #include <fovea/line/streamlines.h>
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
+#include <deque>
 
 #include <fovea/base/cancel.h>
 #include <fovea/base/elementary.h>
@@ -419,9 +419,14 @@ class Grower {
 
 }  // namespace
 
-std::shared_ptr<const Streamlines> streamlines(const Surface& surface, double angle, int power) {
-    return surface.cache().get<Streamlines>(hash_numbers(std::bit_cast<std::uint64_t>(angle), power),
-                                            [&] { return Grower(surface, angle).grow(power); });
+std::shared_ptr<const std::vector<Streamlines>> streamlines(const Surface& surface, In<double> angles, int power) {
+    return surface.cache().get<std::vector<Streamlines>>(hash_of(angles, std::uint64_t(power)), [&] {
+        std::deque<Grower> growers;  // made here, since they query the cache
+        for (const double angle : angles) growers.emplace_back(surface, angle);
+        std::vector<Streamlines> found(angles.size());
+        parallel_for(found.size(), 1, [&](std::size_t i) { found[i] = growers[i].grow(power); });
+        return found;
+    });
 }
 
 }  // namespace fovea::line

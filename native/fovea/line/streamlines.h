@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
 #include <fovea/mesh/surface.h>
 
@@ -21,11 +22,11 @@ struct StreamChord {
 /// Per triangle of the surface.
 using Streamlines = Lists<StreamChord>;
 
-/// Curves at an angle [radians], counterclockwise as seen from outside, to the directions of greatest curvature
-/// (field/bend_directions.h), 2^power apart and coarser, in the rest shape if the surface has one. Each grows from a
-/// place beside one that is there already until it comes near another one (Jobard & Lefer, "Creating Evenly-Spaced
-/// Streamlines of Arbitrary Density", Visualization in Scientific Computing 1997). A power for which there would be too
-/// many is raised. Cached with the surface.
-std::shared_ptr<const Streamlines> streamlines(const Surface& surface, double angle, int power);
+/// Per angle [radians], counterclockwise as seen from outside, to the directions of greatest curvature
+/// (field/bend_directions.h): curves 2^power apart and coarser, in the rest shape if the surface has one. Each grows
+/// from a place beside one that is there already until it comes near another one (Jobard & Lefer, "Creating
+/// Evenly-Spaced Streamlines of Arbitrary Density", Visualization in Scientific Computing 1997). A power for which
+/// there would be too many is raised. Cached with the surface.
+std::shared_ptr<const std::vector<Streamlines>> streamlines(const Surface& surface, In<double> angles, int power);
 
 }  // namespace fovea::line
