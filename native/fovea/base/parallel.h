@@ -7,8 +7,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <functional>
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 #include <tbb/parallel_invoke.h>
 #include <tbb/parallel_sort.h>
 #include <utility>
@@ -21,23 +19,23 @@
 
 namespace fovea::base {
 
+/// Calls call(body, begin, end) for ranges that make up [0, count), of at least `grain`. Compiled once for all loops.
+void for_ranges(std::size_t count, std::size_t grain, const void* body,
+                void (*call)(const void* body, std::size_t begin, std::size_t end));
+
 /// Calls body(i) for every i in [0, count), in blocks of at least `grain`. Before each it polls the Cancel of the
 /// calling thread's scope, as all loops here do.
 template <typename Body>
 void parallel_for(std::size_t count, std::size_t grain, const Body& body) {
-    const auto block = [&](std::size_t begin, std::size_t end) __attribute__((noinline)) {
+    const auto block = [](const void* of, std::size_t begin, std::size_t end) {
         Cancelling::poll();
-        for (std::size_t i = begin; i != end; ++i) body(i);
+        for (std::size_t i = begin; i != end; ++i) (*static_cast<const Body*>(of))(i);
     };
     // oneTBB's task for a single block would cost more than most of them.
-    if (count <= grain) return block(0, count);
-    const ForkJoin call;
-    const Cancel* const cancel = Cancelling::current();
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, grain), [&](const auto& range) FOVEA_TBB_HANDS_OVER {
-        const ForkJoin::Body here(call);
-        const Cancelling scope(cancel);
-        block(range.begin(), range.end());
-    });
+    if (count <= grain)
+        block(&body, 0, count);
+    else
+        for_ranges(count, grain, &body, block);
 }
 
 /// The same, with blocks for bodies of a few operations.

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fovea/base/parallel.h>
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+namespace fovea::base {
+
+void for_ranges(std::size_t count, std::size_t grain, const void* body,
+                void (*call)(const void* body, std::size_t begin, std::size_t end)) {
+    const ForkJoin fork;
+    const Cancel* const cancel = Cancelling::current();
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, grain), [&](const auto& range) FOVEA_TBB_HANDS_OVER {
+        const ForkJoin::Body here(fork);
+        const Cancelling scope(cancel);
+        call(body, range.begin(), range.end());
+    });
+}
+
+}  // namespace fovea::base
