@@ -5,9 +5,13 @@
 #include <atomic>
 #include <gtest/gtest.h>
 #include <map>
+#include <tbb/blocked_range.h>
 #include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_group.h>
 
 #include <fovea/base/cancel.h>
+#include <fovea/base/parallel.h>
 #include <fovea/draw/frame.h>
 #include <fovea/field/fields.h>
 #include <fovea/line/streamlines.h>
@@ -154,6 +158,33 @@ TEST(Cancel, IsPolledTheMoreOftenTheMoreThereIsToRead) {
         return [power] { line::streamlines(*sphere(12).surface(), std::array{0.3, 1.0}, power); };
     };
     EXPECT_GE(polls_of(streams(-6)), 3 * polls_of(streams(-4)));
+}
+
+TEST(Cancel, OfATaskLeavesNoLoopWithinItHalfDone) {
+    // A loop that ends early as if it were done would leave what it has not filled in a surface's cache.
+    const auto surface = sphere(12).surface();
+    constexpr std::size_t count = 100'000;
+    std::atomic<std::size_t> done = 0, kept = 0;
+    bool invoked[2] = {}, refused = false;
+    tbb::task_group_context outer;
+    const auto body = [&](const tbb::blocked_range<int>&) {
+        outer.cancel_group_execution();  // as where a task beside it throws
+        parallel_for(count, 100, [&](std::size_t) { ++done; });
+        parallel_invoke([&] { invoked[0] = true; }, [&] { invoked[1] = true; });
+        std::vector<int> numbers(count);
+        for (std::size_t i = 0; i < count; ++i) numbers[i] = int(i * 7919 % count);
+        try {
+            parallel_sort(numbers.begin(), numbers.end());
+        } catch (const Cancelled&) {
+            refused = true;
+        }
+        for (const auto& lines : line::streamlines(*surface, std::array{0.3, 1.0}, -4)) kept += lines->count();
+    };
+    tbb::parallel_for(tbb::blocked_range<int>(0, 1), body, outer);
+    EXPECT_EQ(done, count);
+    EXPECT_TRUE(invoked[0] && invoked[1]);
+    EXPECT_TRUE(refused);
+    EXPECT_EQ(kept, 2 * surface->triangles.size());
 }
 
 TEST(Cancel, OfAScopeIsForgottenAfterIt) {

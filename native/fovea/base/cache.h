@@ -52,6 +52,13 @@ class Cache {
         return nullptr;
     }
 
+    /// body(), while the lock is held: for quantities that are computed together, each once.
+    template <typename Body>
+    auto together(const Body& body) {
+        std::lock_guard lock(mutex_);
+        return tbb::this_task_arena::isolate(body);
+    }
+
     void clear() {
         std::lock_guard lock(mutex_);
         entries_.clear();

@@ -9,6 +9,7 @@
 #include <functional>
 #include <tbb/parallel_invoke.h>
 #include <tbb/parallel_sort.h>
+#include <tbb/task_group.h>
 #include <utility>
 #include <vector>
 
@@ -19,11 +20,13 @@
 
 namespace fovea::base {
 
-/// Calls call(body, begin, end) for ranges that make up [0, count), of at least `grain`. Compiled once for all loops.
+/// Calls call(body, begin, end) for ranges that make up [0, count), of about `grain` or more. Compiled once for all
+/// loops. It is done as a whole or throws what a call has thrown, also within a task beside which another one throws:
+/// oneTBB would end it then, as if it were done.
 void for_ranges(std::size_t count, std::size_t grain, const void* body,
                 void (*call)(const void* body, std::size_t begin, std::size_t end));
 
-/// Calls body(i) for every i in [0, count), in blocks of at least `grain`. Before each it polls the Cancel of the
+/// Calls body(i) for every i in [0, count), in blocks of about `grain` or more. Before each it polls the Cancel of the
 /// calling thread's scope, as all loops here do.
 template <typename Body>
 void parallel_for(std::size_t count, std::size_t grain, const Body& body) {
@@ -103,10 +106,13 @@ void parallel_invoke(const First& first, const Second& second) {
         const Cancelling scope(cancel);
         body();
     };
-    tbb::parallel_invoke([&]() FOVEA_TBB_HANDS_OVER { run(first); }, [&]() FOVEA_TBB_HANDS_OVER { run(second); });
+    tbb::task_group_context alone(tbb::task_group_context::isolated);  // as for_ranges
+    tbb::parallel_invoke([&]() FOVEA_TBB_HANDS_OVER { run(first); }, [&]() FOVEA_TBB_HANDS_OVER { run(second); },
+                         alone);
 }
 
-/// Sorts by a total order, so that the result is unique.
+/// Sorts by a total order, so that the result is unique. Throws Cancelled within a task beside which another one
+/// throws, as oneTBB may end it half done.
 template <typename Iterator, typename Less = std::less<>>
 void parallel_sort(Iterator begin, Iterator end, const Less& less = {}) {
     Cancelling::poll();
@@ -114,6 +120,7 @@ void parallel_sort(Iterator begin, Iterator end, const Less& less = {}) {
     std::sort(begin, end, less);  // TSan does not see the synchronization inside oneTBB's sort
 #else
     tbb::parallel_sort(begin, end, less);
+    if (tbb::is_current_task_group_canceling()) throw Cancelled();
 #endif
 }
 

@@ -200,8 +200,8 @@ class Hatcher {
                 if (chord(family, triangle, corners, level.value, ends))
                     append_chord({family, triangle, level, ends}, out);
             }
-        for (std::size_t f = 0; streams_ && f < streams_->size(); ++f)
-            for (const StreamChord& across : (*streams_)[f][triangle])
+        for (std::size_t f = 0; f < streams_.size(); ++f)
+            for (const StreamChord& across : (*streams_[f])[triangle])
                 append_stream(Index(f), across, triangle, corners, out);
     }
 
@@ -446,7 +446,7 @@ class Hatcher {
     const HatchLevels levels_;
     const double step_px_;
     std::vector<HatchFamily> families_;
-    std::shared_ptr<const std::vector<Streamlines>> streams_;  // per family, instead; or null
+    std::vector<std::shared_ptr<const Streamlines>> streams_;  // per family, instead
     Array<dvec3> place_;                                       // of the vertices, in view space
     std::shared_ptr<const Bodies> bodies_;
 };

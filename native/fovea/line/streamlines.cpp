@@ -2,8 +2,9 @@
 #include <fovea/line/streamlines.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
-#include <deque>
+#include <utility>
 
 #include <fovea/base/cancel.h>
 #include <fovea/base/elementary.h>
@@ -93,7 +94,10 @@ class Grid {
         Index first = none;  ///< of its samples; none: there is no such cell
     };
 
-    glm::i64vec3 cell_of(const dvec3& p) const { return glm::i64vec3(glm::floor(p / width_)); }
+    glm::i64vec3 cell_of(const dvec3& p) const {
+        constexpr double farthest = 0x1p52;  // what is flung away farther is in one cell
+        return glm::i64vec3(glm::clamp(glm::floor(p / width_), -farthest, farthest));
+    }
     static std::uint64_t key_of(const glm::i64vec3& c) { return hash_numbers(c.x, c.y, c.z); }
 
     /// Where in a table the cell of a key is, or would be put.
@@ -116,31 +120,56 @@ class Grid {
     std::vector<Sample> samples_;
 };
 
-class Grower {
-   public:
-    Grower(const Surface& surface, double angle)
-        : positions_(surface.rest().empty() ? In<vec3>(surface.positions) : surface.rest()),
-          triangles_(surface.triangles),
-          sides_(*triangle_sides(surface)),
-          at_sides_(*triangles_at_sides(surface)),
-          directions_(*field::bend_directions(surface)),
-          turned_(cosine(angle), sine(angle)),
-          crossed_by_(triangles_.size(), none) {
-        for (Index t = 0; t < triangles_.size(); ++t) {
-            const double area = area_of(t);
-            if (!std::isfinite(area)) continue;
-            area_ += area;
+/// Where curves grow: the rest shape, if the surface has one.
+struct Ground {
+    In<vec3> positions;
+    const Array<Triangle>& triangles;
+    const TriangleSides& sides;
+    const Lists<Index>& at_sides;
+    const field::BendDirections& directions;
+    double area = 0.0;  ///< of its finite triangles, as the bounds
+    dvec3 low{HUGE_VAL}, high{-HUGE_VAL};
+
+    /// The surface's cache keeps what is borrowed of it.
+    explicit Ground(const Surface& surface)
+        : positions(surface.rest().empty() ? In<vec3>(surface.positions) : surface.rest()),
+          triangles(surface.triangles),
+          sides(*triangle_sides(surface)),
+          at_sides(*triangles_at_sides(surface)),
+          directions(*field::bend_directions(surface)) {
+        Cancelling::poll();
+        for (Index t = 0; t < triangles.size(); ++t) {
+            const double own = area_of(t);
+            if (!std::isfinite(own)) continue;
+            area += own;
             for (int k = 0; k < 3; ++k) {
-                low_ = glm::min(low_, at(triangles_[t][k]));
-                high_ = glm::max(high_, at(triangles_[t][k]));
+                low = glm::min(low, dvec3(positions[triangles[t][k]]));
+                high = glm::max(high, dvec3(positions[triangles[t][k]]));
             }
         }
     }
 
+    double area_of(Index triangle) const {
+        return 0.5 * glm::length(mesh::area_vector(positions, triangles[triangle]));
+    }
+};
+
+class Grower {
+   public:
+    Grower(const Ground& ground, double angle)
+        : ground_(ground),
+          positions_(ground.positions),
+          triangles_(ground.triangles),
+          sides_(ground.sides),
+          at_sides_(ground.at_sides),
+          directions_(ground.directions),
+          turned_(cosine(angle), sine(angle)),
+          crossed_by_(triangles_.size(), none) {}
+
     Streamlines grow(int finest) {
-        if (area_ > 0.0) {
-            const int coarsest = std::ilogb(glm::distance(low_, high_));
-            finest = std::max(finest, std::ilogb(std::sqrt(area_ / most_squares)));
+        if (ground_.area > 0.0) {
+            const int coarsest = std::ilogb(glm::distance(ground_.low, ground_.high));
+            finest = std::max(finest, std::ilogb(std::sqrt(ground_.area / most_squares)));
             for (int power = coarsest; power >= finest; --power) grow_level(power);
         }
         return lists_of<StreamChord>(triangles_.size(), [&](const auto& give) {
@@ -153,7 +182,6 @@ class Grower {
 
     dvec3 at(Index v) const { return dvec3(positions_[v]); }
     dvec3 area_vector(const Triangle& t) const { return mesh::area_vector(positions_, t); }
-    double area_of(Index triangle) const { return 0.5 * glm::length(area_vector(triangles_[triangle])); }
     dvec3 normal_of(Index triangle) const { return unit_or_zero(area_vector(triangles_[triangle])); }
     dvec3 at(const Place& place) const {
         const Triangle& t = triangles_[place.triangle];
@@ -368,7 +396,7 @@ class Grower {
         for (; done < chords_.size(); ++done) grow_beside(chords_[done]);
         double passed = 0.0;  // area
         for (Index t = 0; t < triangles_.size(); ++t) {
-            const double area = area_of(t);
+            const double area = ground_.area_of(t);
             if (std::isfinite(area)) passed += area;
             if (passed < apart_ * apart_ / trials) continue;
             passed = 0.0;
@@ -400,6 +428,7 @@ class Grower {
             }
     }
 
+    const Ground& ground_;
     const In<vec3> positions_;
     const Array<Triangle>& triangles_;
     const TriangleSides& sides_;
@@ -407,9 +436,6 @@ class Grower {
     const field::BendDirections& directions_;
     const dvec2 turned_;
     Array<Index> crossed_by_;
-    double area_ = 0.0;
-    dvec3 low_{HUGE_VAL}, high_{-HUGE_VAL};
-
     int power_ = 0;
     double apart_ = 1.0, carried_ = 0.0;
     Grid* grid_ = nullptr;
@@ -419,12 +445,23 @@ class Grower {
 
 }  // namespace
 
-std::shared_ptr<const std::vector<Streamlines>> streamlines(const Surface& surface, In<double> angles, int power) {
-    return surface.cache().get<std::vector<Streamlines>>(hash_of(angles, std::uint64_t(power)), [&] {
-        std::deque<Grower> growers;  // made here, since they query the cache
-        for (const double angle : angles) growers.emplace_back(surface, angle);
-        std::vector<Streamlines> found(angles.size());
-        parallel_for(found.size(), 1, [&](std::size_t i) { found[i] = growers[i].grow(power); });
+std::vector<std::shared_ptr<const Streamlines>> streamlines(const Surface& surface, In<double> angles, int power) {
+    Cache& cache = surface.cache();
+    const auto key = [&](double angle) { return hash_numbers(std::bit_cast<std::uint64_t>(angle), power); };
+    return cache.together([&] {
+        std::vector<std::shared_ptr<const Streamlines>> found;
+        std::vector<std::size_t> missing;
+        for (const double angle : angles) {
+            found.push_back(cache.find<Streamlines>(key(angle)));
+            if (!found.back()) missing.push_back(found.size() - 1);
+        }
+        if (missing.empty()) return found;
+        const Ground ground(surface);
+        std::vector<Streamlines> grown(missing.size());
+        parallel_for(missing.size(), 1,
+                     [&](std::size_t i) { grown[i] = Grower(ground, angles[missing[i]]).grow(power); });
+        for (std::size_t i = 0; i < missing.size(); ++i)
+            found[missing[i]] = cache.get<Streamlines>(key(angles[missing[i]]), [&] { return std::move(grown[i]); });
         return found;
     });
 }

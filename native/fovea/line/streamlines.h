@@ -27,6 +27,6 @@ using Streamlines = Lists<StreamChord>;
 /// from a place beside one that is there already until it comes near another one (Jobard & Lefer, "Creating
 /// Evenly-Spaced Streamlines of Arbitrary Density", Visualization in Scientific Computing 1997). A power for which
 /// there would be too many is raised. Cached with the surface.
-std::shared_ptr<const std::vector<Streamlines>> streamlines(const Surface& surface, In<double> angles, int power);
+std::vector<std::shared_ptr<const Streamlines>> streamlines(const Surface& surface, In<double> angles, int power);
 
 }  // namespace fovea::line
