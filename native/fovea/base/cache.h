@@ -2,6 +2,7 @@
 // Derived quantities, computed on first use and cached with the object that they are derived from.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <list>
 #include <memory>
@@ -13,8 +14,12 @@
 
 namespace fovea::base {
 
+/// How many quantities of a type a cache keeps.
+template <typename T>
+constexpr int kept_of = 4;
+
 /// Cache of derived quantities, keyed by their type and a 64-bit key (a hash of everything else that they depend on).
-/// Holds the `kept_per_type` most recently used of each type. Thread-safe. A quantity is computed once, while the
+/// Holds the kept_of<T> most recently used of each type. Thread-safe. A quantity is computed once, while the
 /// (recursive) lock is held, and its computation may itself query the cache.
 class Cache {
    public:
@@ -29,7 +34,7 @@ class Cache {
                 entries_.splice(entries_.begin(), entries_, it);
                 return std::static_pointer_cast<const T>(entries_.front().value);
             }
-            if (++same_type >= kept_per_type) {
+            if (++same_type >= kept_of<T>) {
                 entries_.erase(it);
                 break;
             }
@@ -43,16 +48,19 @@ class Cache {
 
     /// The cached quantity, or null if it is not cached or another thread holds the lock (while it computes something).
     template <typename T>
-    std::shared_ptr<const T> find(std::uint64_t key) const {
+    std::shared_ptr<const T> find(std::uint64_t key) {
         const std::unique_lock lock(mutex_, std::try_to_lock);
         if (!lock) return nullptr;
-        for (const Entry& entry : entries_)
-            if (entry.type == std::type_index(typeid(T)) && entry.key == key)
-                return std::static_pointer_cast<const T>(entry.value);
-        return nullptr;
+        const auto it = std::find_if(entries_.begin(), entries_.end(), [&](const Entry& entry) {
+            return entry.type == std::type_index(typeid(T)) && entry.key == key;
+        });
+        if (it == entries_.end()) return nullptr;
+        entries_.splice(entries_.begin(), entries_, it);
+        return std::static_pointer_cast<const T>(it->value);
     }
 
-    /// body(), while the lock is held: for quantities that are computed together, each once.
+    /// body(), while the lock is held: for quantities that are computed together, each once. Parallel loops in it must
+    /// not query this cache.
     template <typename Body>
     auto together(const Body& body) {
         std::lock_guard lock(mutex_);
@@ -70,7 +78,6 @@ class Cache {
         std::uint64_t key;
         std::shared_ptr<const void> value;
     };
-    static constexpr int kept_per_type = 4;
     mutable std::recursive_mutex mutex_;
     std::list<Entry> entries_;
 };

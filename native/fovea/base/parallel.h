@@ -20,14 +20,14 @@
 
 namespace fovea::base {
 
-/// Calls call(body, begin, end) for ranges that make up [0, count), of about `grain` or more. Compiled once for all
-/// loops. It is done as a whole or throws what a call has thrown, also within a task beside which another one throws:
-/// oneTBB would end it then, as if it were done.
+/// Calls call(body, begin, end) for ranges that make up [0, count), of at least half of `grain`. Compiled once for all
+/// loops. It is done as a whole or throws what a call has thrown, even within a task beside which another one throws:
+/// there oneTBB would end it early, as if it were done.
 void for_ranges(std::size_t count, std::size_t grain, const void* body,
                 void (*call)(const void* body, std::size_t begin, std::size_t end));
 
-/// Calls body(i) for every i in [0, count), in blocks of about `grain` or more. Before each it polls the Cancel of the
-/// calling thread's scope, as all loops here do.
+/// Calls body(i) for every i in [0, count), in blocks of at least half of `grain`. Before each it polls the Cancel of
+/// the calling thread's scope, as all loops here do.
 template <typename Body>
 void parallel_for(std::size_t count, std::size_t grain, const Body& body) {
     const auto block = [](const void* of, std::size_t begin, std::size_t end) {
@@ -111,16 +111,19 @@ void parallel_invoke(const First& first, const Second& second) {
                          alone);
 }
 
-/// Sorts by a total order, so that the result is unique. Throws Cancelled within a task beside which another one
-/// throws, as oneTBB may end it half done.
+/// Sorts by a total order, so that the result is unique.
 template <typename Iterator, typename Less = std::less<>>
 void parallel_sort(Iterator begin, Iterator end, const Less& less = {}) {
     Cancelling::poll();
 #ifdef FOVEA_THREAD_SANITIZER
     std::sort(begin, end, less);  // TSan does not see the synchronization inside oneTBB's sort
 #else
-    tbb::parallel_sort(begin, end, less);
-    if (tbb::is_current_task_group_canceling()) throw Cancelled();
+    constexpr auto few = 500;  // as for oneTBB
+    if (end - begin < few) return std::sort(begin, end, less);
+    // Within a loop of its own, so that it is done as a whole, too.
+    const auto sort = [&] { tbb::parallel_sort(begin, end, less); };
+    for_ranges(1, 1, &sort,
+               [](const void* of, std::size_t, std::size_t) { (*static_cast<const decltype(sort)*>(of))(); });
 #endif
 }
 

@@ -22,11 +22,19 @@ struct StreamChord {
 /// Per triangle of the surface.
 using Streamlines = Lists<StreamChord>;
 
+}  // namespace fovea::line
+
+/// Of three families, as they are near the eye and farther away.
+template <>
+inline constexpr int fovea::base::kept_of<fovea::line::Streamlines> = 12;
+
+namespace fovea::line {
+
 /// Per angle [radians], counterclockwise as seen from outside, to the directions of greatest curvature
 /// (field/bend_directions.h): curves 2^power apart and coarser, in the rest shape if the surface has one. Each grows
 /// from a place beside one that is there already until it comes near another one (Jobard & Lefer, "Creating
 /// Evenly-Spaced Streamlines of Arbitrary Density", Visualization in Scientific Computing 1997). A power for which
-/// there would be too many is raised. Cached with the surface.
+/// there would be too many is raised. Those of each angle are cached with the surface.
 std::vector<std::shared_ptr<const Streamlines>> streamlines(const Surface& surface, In<double> angles, int power);
 
 }  // namespace fovea::line
