@@ -157,14 +157,7 @@ struct Ground {
 class Grower {
    public:
     Grower(const Ground& ground, double angle)
-        : ground_(ground),
-          positions_(ground.positions),
-          triangles_(ground.triangles),
-          sides_(ground.sides),
-          at_sides_(ground.at_sides),
-          directions_(ground.directions),
-          turned_(cosine(angle), sine(angle)),
-          crossed_by_(triangles_.size(), none) {}
+        : ground_(ground), turned_(cosine(angle), sine(angle)), crossed_by_(ground.triangles.size(), none) {}
 
     Streamlines grow(int finest) {
         if (ground_.area > 0.0) {
@@ -172,7 +165,7 @@ class Grower {
             finest = std::max(finest, std::ilogb(std::sqrt(ground_.area / most_squares)));
             for (int power = coarsest; power >= finest; --power) grow_level(power);
         }
-        return lists_of<StreamChord>(triangles_.size(), [&](const auto& give) {
+        return lists_of<StreamChord>(ground_.triangles.size(), [&](const auto& give) {
             for (const Chord& chord : chords_) give(chord.triangle, chord.across);
         });
     }
@@ -180,17 +173,17 @@ class Grower {
    private:
     using Side = std::int8_t;
 
-    dvec3 at(Index v) const { return dvec3(positions_[v]); }
-    dvec3 area_vector(const Triangle& t) const { return mesh::area_vector(positions_, t); }
-    dvec3 normal_of(Index triangle) const { return unit_or_zero(area_vector(triangles_[triangle])); }
+    dvec3 at(Index v) const { return dvec3(ground_.positions[v]); }
+    dvec3 area_vector(const Triangle& t) const { return mesh::area_vector(ground_.positions, t); }
+    dvec3 normal_of(Index triangle) const { return unit_or_zero(area_vector(ground_.triangles[triangle])); }
     dvec3 at(const Place& place) const {
-        const Triangle& t = triangles_[place.triangle];
+        const Triangle& t = ground_.triangles[place.triangle];
         return place.weight.x * at(t.x) + place.weight.y * at(t.y) + place.weight.z * at(t.z);
     }
 
     /// The direction of curves at a place, in its triangle's plane, towards `along`; zero where there is none.
     dvec3 direction(const Place& place, const dvec3& along) const {
-        const auto& corners = directions_.corner[place.triangle];
+        const auto& corners = ground_.directions.corner[place.triangle];
         const auto& w = place.weight;
         const dvec3 nearest(corners[w.x >= w.y && w.x >= w.z ? 0 : w.y >= w.z ? 1 : 2]), n = normal_of(place.triangle);
         dvec3 sum(0.0);
@@ -208,7 +201,7 @@ class Grower {
 
     /// Goes straight to the border of a triangle: the side, or -1 where that leads nowhere.
     Side to_border(Place& place, const dvec3& direction) const {
-        const Triangle& t = triangles_[place.triangle];
+        const Triangle& t = ground_.triangles[place.triangle];
         const dvec3 twice = area_vector(t);
         const double area2 = glm::dot(twice, twice);
         double least = HUGE_VAL;
@@ -237,11 +230,11 @@ class Grower {
 
     /// The same place in the triangle beyond a side, unless the surface ends or is folded there.
     bool cross(Place& place, Side side) const {
-        const auto here = at_sides_[sides_.of_triangle[place.triangle][side]];
+        const auto here = ground_.at_sides[ground_.sides.of_triangle[place.triangle][side]];
         if (here.size() != 2) return false;
         const Index other = here[0] == place.triangle ? here[1] : here[0];
-        const Triangle &from = triangles_[place.triangle], &to = triangles_[other];
-        if (other == place.triangle || !field::goes_on(positions_, from, to)) return false;
+        const Triangle &from = ground_.triangles[place.triangle], &to = ground_.triangles[other];
+        if (other == place.triangle || !field::goes_on(ground_.positions, from, to)) return false;
         dvec3 weight(0.0);
         for (const int k : {int(side), (side + 1) % 3}) weight[corner_of(to, from[k])] = place.weight[k];
         place = {other, weight};
@@ -395,7 +388,7 @@ class Grower {
         carried_ = 0.0;
         for (; done < chords_.size(); ++done) grow_beside(chords_[done]);
         double passed = 0.0;  // area
-        for (Index t = 0; t < triangles_.size(); ++t) {
+        for (Index t = 0; t < ground_.triangles.size(); ++t) {
             const double area = ground_.area_of(t);
             if (std::isfinite(area)) passed += area;
             if (passed < apart_ * apart_ / trials) continue;
@@ -429,11 +422,6 @@ class Grower {
     }
 
     const Ground& ground_;
-    const In<vec3> positions_;
-    const Array<Triangle>& triangles_;
-    const TriangleSides& sides_;
-    const Lists<Index>& at_sides_;
-    const field::BendDirections& directions_;
     const dvec2 turned_;
     Array<Index> crossed_by_;
     int power_ = 0;
