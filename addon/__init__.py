@@ -12,8 +12,8 @@ MODULES = (  # those with something to register; panels stand in this order
     *("ui.style", "ui.lines", "ui.focus", "ui.effects", "ui.elision", "ui.animation", "ui.paper", "ui.to_scale"),
     *("ui.method", "ui.vectors", "ui.things", "ui.sidebar", "ui.lines_over", "ui.menu", "ui.viewport_settings"),
     "ui.simplify",
-    *("scene.overrides", "render.engine", "render.near_frames", "render.whole_frames", "render.frame_check"),
-    "render.sockets",
+    *("scene.overrides", "render.engine", "render.write_flag", "render.near_frames", "render.whole_frames"),
+    *("render.frame_check", "render.sockets"),
 )
 TOOLS = (
     *("focus.focus_operators", "focus.focus_place_operators", "focus.focus_pull", "focus.focus_gizmos"),

@@ -6,7 +6,7 @@ from functools import partial
 import bpy
 from bpy.app.handlers import persistent
 
-from . import as_rendered, beside_renders, gpu_context, session, viewport
+from . import as_rendered, beside_renders, gpu_context, session, viewport, write_flag
 
 
 class FoveaEngine(bpy.types.RenderEngine):
@@ -21,14 +21,16 @@ class FoveaEngine(bpy.types.RenderEngine):
     viewport = None  # viewport.Viewport, the state of the viewport that this engine draws
 
     def update_render_passes(self, scene=None, renderlayer=None):
-        session.register_passes(self, scene, renderlayer)
+        with write_flag.callback():
+            session.register_passes(self, scene, renderlayer)
 
     def render(self, depsgraph):
-        if as_rendered.looked(self, depsgraph):
-            return
-        for view in self._views(depsgraph.view_layer):
-            self.active_view_set(view)
-            session.render(self, depsgraph, also=partial(beside_renders.write, self, depsgraph))
+        with write_flag.callback():
+            if as_rendered.looked(self, depsgraph):
+                return
+            for view in self._views(depsgraph.view_layer):
+                self.active_view_set(view)
+                session.render(self, depsgraph, also=partial(beside_renders.write, self, depsgraph))
 
     def _views(self, layer):
         """Names of what Blender wants of a view layer: both eyes of a stereo pair, views, or an empty name alone."""

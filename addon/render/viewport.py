@@ -9,13 +9,11 @@ caretaker.py redraws the region later. The gpu backend needs Blender's GPU conte
 import time
 import weakref
 
-import bpy
-
 from .. import budget, line_files, moved_picture, native, pipeline
 from ..gpu import program as gpu_program
 from ..gpu import viewport as gpu_viewport
 from ..scene import camera, scene
-from . import caretaker, changes, methods, properties, session, stage_labels, worker
+from . import caretaker, changes, methods, properties, session, stage_labels, worker, write_flag
 from .wanted import Picture, Wanted, seen
 
 WORD = 0.3  # seconds between progress messages in the header
@@ -73,7 +71,7 @@ class Viewport:
     def draw(self, engine, context, depsgraph):
         """Draws the region."""
         view, job, start = camera.of_region(context, depsgraph), worker.running(), time.monotonic()
-        if _render_runs_alone():
+        if write_flag.render_runs():
             self.wanted = None  # found anew after the render
             engine.update_stats("Fovea", "The viewport waits for the render")
         elif not self._begun:
@@ -186,7 +184,7 @@ class Viewport:
         """Timer callback between draws of the region: starts refinements and requests redraws. Returns whether to call
         it again."""
         job = self.job
-        if _render_runs_alone():
+        if write_flag.render_runs():
             return True
         if job is None:
             if self.is_final():
@@ -229,13 +227,6 @@ def _made(wanted, quality, tell, cancel):
     view = scene.seen(native.load(), wanted.view).smaller(chosen.scale)
     image = session.draw(wanted.scene.gathered, view, style, wanted.backend, options, tell, cancel)
     return Picture(wanted, quality, image)
-
-
-def _render_runs_alone():
-    """Whether a render runs beside which a viewport must not draw. Before 5.2 Blender has one flag for all threads that
-    forbids Python to write data while a region is drawn. A render that begins while such a draw waits for another
-    thread restores that flag when all else is done: nothing can be edited or saved from then on."""
-    return bpy.app.version < (5, 2, 0) and bpy.app.is_job_running("RENDER")
 
 
 def stop():

@@ -70,7 +70,7 @@ def _source(target):
 
 def cmake_options(target, sanitize):
     options = ["-G", "Ninja", f"-DPython_EXECUTABLE={sys.executable}", *_compiling(target)]
-    options.append(f"-DFOVEA_SANITIZE={'address,undefined' if sanitize else ''}")
+    options.append(f"-DFOVEA_SANITIZE={'address,undefined,float-cast-overflow' if sanitize else ''}")
     options.append(f"-DFOVEA_TESTS={'ON' if target.is_suite else 'OFF'}")
     options.append("-DFOVEA_TOOL=OFF")
     if target.python_include:

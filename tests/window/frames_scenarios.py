@@ -5,7 +5,7 @@ scenario returns."""
 import bpy
 import numpy as np
 from showing import Steps, calm, of_file, opened, still, turn
-from slow import slower
+from slow import busy, slower
 from the_addon import part, use_style
 from window import screen
 
@@ -107,7 +107,7 @@ def animation(folder):
     scene.frame_start, scene.frame_end = 1, 12
     scene.render.filepath = str(folder / "frame_")
     use_style(scene, "technical")
-    with slower(viewport=0.1, render=0.2):
+    with slower(viewport=0.1, render=0.2), busy(0.05):
         with screen.override():
             bpy.ops.render.render("INVOKE_DEFAULT", animation=True)
         while bpy.app.is_job_running("RENDER"):

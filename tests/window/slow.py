@@ -7,7 +7,7 @@ from contextlib import contextmanager
 
 from the_addon import part
 
-session, worker = part("render.session"), part("render.worker")
+session, viewport, worker = part("render.session"), part("render.viewport"), part("render.worker")
 
 
 class Held:
@@ -55,3 +55,21 @@ def slower(viewport, render):
         yield
     finally:
         session.pipeline.draw, session.register_passes = old
+
+
+@contextmanager
+def busy(seconds):
+    """Each draw of a viewport computes in Python for these seconds more meanwhile."""
+
+    def show(*arguments):
+        end = time.monotonic() + seconds
+        while time.monotonic() < end:
+            pass
+        old(*arguments)
+
+    old = viewport.Viewport.show
+    viewport.Viewport.show = show
+    try:
+        yield
+    finally:
+        viewport.Viewport.show = old
