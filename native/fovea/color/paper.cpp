@@ -8,6 +8,7 @@
 #include <fovea/base/check.h>
 #include <fovea/base/elementary.h>
 #include <fovea/base/parallel.h>
+#include <fovea/base/steps.h>
 
 namespace fovea::color {
 namespace {
@@ -106,7 +107,7 @@ PlacesUnder::PlacesUnder(const PaperTexture* texture, double scale, const style:
     if (!texture) return;
     texel_px_ = float(texture->tile_mm / texture->width * scale * paper.px_per_mm(view.reference_scale));
     check(texel_px_ > 0.0f, "paper: a texel must cover more than nothing");
-    along_ = std::clamp(int(std::ceil(1.0f / texel_px_ - 0.01f)), 1, most_places);
+    along_ = steps_of(1.0f / texel_px_ - 0.01f, most_places);
 }
 
 float toothed(float opacity, float lower, float tooth) {

@@ -12,6 +12,7 @@
 
 #include <fovea/base/elementary.h>
 #include <fovea/base/hash.h>
+#include <fovea/base/steps.h>
 #include <fovea/field/bend_directions.h>
 #include <fovea/field/corner_normals.h>
 #include <fovea/field/shape.h>
@@ -352,7 +353,7 @@ class Hatcher {
             if (x == 0.0 || x == 1.0) return x == 0.0 ? from : to;
             return glm::mix(from, to, view_.orthographic ? x : share_in_space(x, near, far));
         };
-        const int steps = std::clamp(int(std::ceil(std::min(length / step_px_, 1e6))), 1, most_steps);
+        const int steps = steps_of(length / step_px_, most_steps);
         const double ramp = ramp_px / std::max(length, ramp_px), precision = end_px / std::max(length, end_px);
 
         std::vector<Node> line;

@@ -10,6 +10,7 @@
 #include <fovea/base/elementary.h>
 #include <fovea/base/hash.h>
 #include <fovea/base/parallel.h>
+#include <fovea/base/steps.h>
 #include <fovea/field/bend_directions.h>
 #include <fovea/mesh/triangle_sides.h>
 
@@ -25,7 +26,7 @@ constexpr double own = 3.0;
 constexpr double most_squares = 4e5;
 /// Where none begins beside others, it is tried so many times on a square.
 constexpr double trials = 8.0;
-constexpr double most_steps = 4096.0;  // across one triangle
+constexpr int most_in_triangle = 4096;  // across one triangle
 /// Cosine of the angle between normals up to which places are on the same side of a sheet.
 constexpr double same_side = 0.2;
 /// How near curves come to the corners of triangles, as a share of a side.
@@ -281,17 +282,12 @@ class Grower {
         });
     }
 
-    /// The number of steps in which a straight way of this length is sampled: at most `most_steps`, 1 of no number.
-    int steps_of(double way) const {
-        return int(std::min(std::max(1.0, std::ceil(way / (step * apart_))), most_steps));
-    }
-
     /// The share of a straight way across a triangle that a curve can go, beginning so far from its seed; with samples.
     double free_share(Growing& curve, Index triangle, const dvec3& from, const dvec3& to, double begins, double sign) {
         Cancelling::poll();
         const dvec3 n = normal_of(triangle), seed = at(curve.seed);
         const double way = glm::distance(from, to);
-        const int steps = steps_of(way);
+        const int steps = steps_of(way / (step * apart_), most_in_triangle);
         double free = 0.0;
         for (int i = 1; i <= steps; ++i) {
             const double share = double(i) / steps, length = begins + share * way;
@@ -385,7 +381,7 @@ class Grower {
         for (const Chord& chord : chords_) {
             Cancelling::poll();
             const auto [from, to] = ends_of(chord);
-            const int steps = steps_of(glm::distance(from, to));
+            const int steps = steps_of(glm::distance(from, to) / (step * apart_), most_in_triangle);
             const dvec3 n = normal_of(chord.triangle);
             for (int i = 0; i <= steps; ++i)
                 grid.add({glm::mix(from, to, double(i) / steps), n, 0.0, chord.across.curve, none});

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include <fovea/base/elementary.h>
+#include <fovea/base/steps.h>
 
 namespace fovea::stroke {
 
@@ -13,6 +14,7 @@ namespace {
 constexpr double stretch_limit = 0.87;   // cosine of the bend up to which u is shared by both segments: 30 degrees
 constexpr double reverse_limit = -0.87;  // cosine of the sharpest bend whose inner corner is shared: 150 degrees
 constexpr double round_error = 0.1;      // px between a round join and its polygon
+constexpr int most_steps = 1024;         // of half of a round join
 constexpr double fringe = 0.5;           // px added for antialiasing
 constexpr Index largest_group = 32;      // points that may share a corner
 
@@ -228,7 +230,7 @@ class Strip {
         if (!corners.square || (turn < 0.0 ? side < 0.0 : side > 0.0)) return;
         const double half = arc_cosine(std::clamp(glm::dot(a, b), -1.0, 1.0)) / 2.0;
         const double step = 2.0 * arc_cosine(1.0 - std::min(round_error / reach(i), 0.5));
-        const int steps = std::max(1, int(std::ceil(half / step)));
+        const int steps = steps_of(half / step, most_steps);
         const auto at = [&](double angle, double turned) {
             const double t = -side * angle, c = cosine(t), s = sine(t);
             const dvec2 direction(a.x * c - a.y * s, a.x * s + a.y * c);

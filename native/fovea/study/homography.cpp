@@ -6,6 +6,7 @@
 
 #include <fovea/base/check.h>
 #include <fovea/base/parallel.h>
+#include <fovea/base/steps.h>
 
 namespace fovea::study {
 namespace {
@@ -84,7 +85,7 @@ color::GrayImage resampled(const color::GrayImage& picture, const Homography& to
     color::GrayImage made{width, height, Array<std::uint8_t>(std::size_t(width) * std::size_t(height))};
     const dvec2 middle(0.5 * width, 0.5 * height);
     const double scale = glm::distance(mapped(to_picture, middle), mapped(to_picture, middle + dvec2(1.0)));
-    const int samples = std::clamp(int(std::ceil(scale)) + 1, 1, most_samples);
+    const int samples = steps_of(scale + 1.0, most_samples);
     parallel_for(std::size_t(height), 8, [&](std::size_t y) {
         for (std::size_t x = 0; x < std::size_t(width); ++x) {
             double sum = 0.0;

@@ -4,13 +4,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fovea/base/steps.h>
+
 namespace fovea::vector {
 
 int steps_of(const Cubic& c, double error) {
     // A chord over a step h is at most h^2 / 8 times the largest second derivative away, which is that of an end.
     const double bend = std::max(glm::length(bend_at(c, 0.0)), glm::length(bend_at(c, 1.0)));
-    return int(
-        std::min(std::max(1.0, std::ceil(std::sqrt(bend / (8.0 * error)))), 10000.0));  // 1 of what is not a number
+    return base::steps_of(std::sqrt(bend / (8.0 * error)), 10000);
 }
 
 void Curve::line_to(const dvec2& point) {
