@@ -10,16 +10,13 @@ import time
 from pathlib import Path
 from typing import NamedTuple
 
-from . import build
+from . import build, sanitizers
 from .target import say, tail
 
 KINDS = ("meshes", "styles")
 VARIES = re.compile(r"'[^']*'|[-+]?\d[\d.e+-]*|\b-?(nan|inf)\b")  # in messages that are alike
 TOO_LONG = "HANGS: it takes too long"  # what the program says as it ends such an input
-SANITIZERS = {
-    "ASAN_OPTIONS": "handle_abort=1:hard_rss_limit_mb=3000:max_allocation_size_mb=2000",
-    "UBSAN_OPTIONS": "print_stacktrace=1",
-}
+BOUNDS = {"ASAN_OPTIONS": "handle_abort=1:hard_rss_limit_mb=3000:max_allocation_size_mb=2000"}
 
 
 def parse(words):
@@ -39,7 +36,7 @@ def fuzz(target, words):
     if not target.is_suite:
         raise ValueError("it needs the compiler and libraries of a Debian suite: --on sid or --on trixie")
     program = build.build(target, "fovea_fuzz", sanitize=not options.release) / "fovea_fuzz"
-    environment = target.environment() | SANITIZERS
+    environment = target.environment() | sanitizers.environment() | BOUNDS
     if options.file:
         verb = "tell" if options.tell else "repeat"
         return subprocess.run([program, verb, options.file.absolute()], env=environment, check=False).returncode

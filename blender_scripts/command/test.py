@@ -15,12 +15,11 @@ from collections import Counter
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
-from . import build, module_sources, package
+from . import build, module_sources, package, sanitizers
 from .target import PROJECT, StepFailed, say, tail
 
 TESTS = PROJECT / "tests"
 ABOUT_THREADS = "*Thread*:*Cache*:*Cancel*"  # native tests of parallel loops, caches and cancellation
-THREAD_SUPPRESSIONS = TESTS / "native" / "thread_sanitizer.supp"
 PASSING = re.compile(r"\[ +(RUN|OK) +\]|\[-+\]|.* PASSED +\[|\s*$")  # lines of logs that are irrelevant to failures
 WAY = re.compile(r' *File "/usr/lib|.*libpython|Extension modules|\s*$')  # Python's frames in crash reports
 
@@ -125,9 +124,8 @@ def _shards(part, folder, report, *words):
 
 
 def _shard(part, folder, report, number, count, *words):
-    environment = {"GTEST_TOTAL_SHARDS": str(count), "GTEST_SHARD_INDEX": str(number - 1)}
-    environment["UBSAN_OPTIONS"] = "print_stacktrace=1"
-    environment["TSAN_OPTIONS"] = f"suppressions='{THREAD_SUPPRESSIONS}'"
+    environment = sanitizers.environment()
+    environment |= {"GTEST_TOTAL_SHARDS": str(count), "GTEST_SHARD_INDEX": str(number - 1)}
     command = [folder / "fovea_tests", f"--gtest_output=xml:{report}", *words]
     return f"{part} tests {number} of {count}", command, report, environment
 

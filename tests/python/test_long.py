@@ -6,7 +6,7 @@ import subprocess
 from pathlib import Path
 
 import pytest
-from command import test
+from command import sanitizers, test
 from command.standalone import wine
 from command.target import StepFailed
 
@@ -47,7 +47,7 @@ def long(tmp_path):
 
 
 def test_all_that_takes_long_is_run_and_counted(long):
-    ran = ["modules linux-x64-cp313 linux-x64-cp314", "test sid long_sanitize", "test sid standalone"]
+    ran = ["modules linux-x64-cp313 linux-x64-cp314", "test trixie long_sanitize", "test sid standalone"]
     ran += ["test trixie standalone", "test trixie threads", "set up trixie slurm-wlm munge nodejs"]
     ran += ["test trixie kills", "run main.py --wine", "command fuzz --minutes 10"]
     ran += ["check trixie --tidy native tests/native"]
@@ -92,6 +92,6 @@ def test_what_takes_long_with_sanitizers_is_a_test_that_is_there():
 
 def test_every_line_that_keeps_the_thread_sanitizer_quiet_has_its_reason():
     above = ""
-    for line in test.THREAD_SUPPRESSIONS.read_text(encoding="utf-8").splitlines():
+    for line in sanitizers.THREAD_SUPPRESSIONS.read_text(encoding="utf-8").splitlines():
         assert not line or line.startswith("#") or above, line
         above = line

@@ -82,6 +82,13 @@ def test_packages_are_installed_with_it_and_the_suite_keeps_none_of_it(shell):
     assert not any(line in texts for line in OTHERS + REACHING)
 
 
+def test_a_package_that_one_suite_needs_is_installed_in_that_one_alone(shell):
+    of = {suite: shell(f"package_names {suite}")[1].splitlines() for suite in ("sid", "trixie")}
+    assert "g++" in of["sid"] and "g++" not in of["trixie"]
+    assert "clang-19" in of["trixie"] and "clang-19" not in of["sid"]
+    assert "blender" in of["sid"] and "blender" in of["trixie"] and not any("@" in name for name in of["trixie"])
+
+
 def test_what_earlier_versions_stored_is_forgotten(shell):
     lines = 'mkdir -p "$root/etc/apt/apt.conf.d"; echo old >"$root$host_settings"; '
     cache, _ = shell(lines + 'set_up_suite sid blender; echo old >"$root$host_settings"; set_up_suite sid blender')

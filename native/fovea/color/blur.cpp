@@ -45,7 +45,7 @@ struct Line {
                 const float scale = 1.0f / (1.0f + after + before * (1.0f - back));
                 onward[i * lanes + lane] = after * scale;
                 if (before > 0.0f)
-                    here[lane] = (here[lane] + before * here[lane - stride]) * scale;
+                    here[lane] = (here[lane] + before * *(here + lane - stride)) * scale;
                 else if (after > 0.0f)
                     here[lane] *= scale;
                 flow[lane] = after;
