@@ -10,8 +10,8 @@ from . import sanitizers
 from .precompiled import forget_changed
 from .target import PROJECT
 
-# Of suites, where it is not CMake's choice. Clang takes half as long as GCC, which compiles for the other suite: what
-# one of them does not accept is noticed all the same.
+# Of suites, where it is not CMake's choice. Clang takes half as long as GCC, which compiles for the other suite: code
+# that one of them refuses is noticed all the same.
 COMPILERS = {"trixie": "clang++-19"}
 
 
@@ -19,8 +19,8 @@ def build(target, goal="_native", sanitize=False):
     """Builds a CMake target (`_native` or `fovea_tests`); returns the build folder."""
     folder = target.work / ("sanitize" if sanitize else "release")
     with target.lock():
-        _configure(target, folder, sanitize)
         kind = " with sanitizers" if sanitize else ""
+        _configure(target, folder, f"the build{kind}", cmake_options(target, sanitize))
         _make(target, f"building {goal}{kind}", folder, "--target", goal)
     return folder
 
@@ -41,8 +41,7 @@ def preset(target, name, *goals):
     Objects shared with another build (`release` and the module, for example) come from ccache."""
     folder = target.work / f"preset-{name}"
     with target.lock():
-        options = ["--fresh", "--preset", name, "-S", _source(target), "-B", folder, *_compiling(target)]
-        target.run(f"configuring the preset {name}", ["cmake", *options])
+        _configure(target, folder, f"the preset {name}", ["--preset", name, *_compiling(target)])
         _make(target, f"building the preset {name}", folder, *(["--target", *goals] if goals else []))
     return folder
 
@@ -52,17 +51,16 @@ def _make(target, sentence, folder, *words):
     target.run(sentence, ["cmake", "--build", folder, "-j", str(len(os.sched_getaffinity(0))), *words])
 
 
-def _configure(target, folder, sanitize):
-    """Runs CMake's configure step only if the options changed; it reruns by itself when CMake files change."""
+def _configure(target, folder, what, options):
+    """Runs CMake's configure step only if options or presets changed; it reruns by itself when CMake files change."""
     source = _source(target)
-    options = cmake_options(target, sanitize)
     record = folder / "configured-with"
-    if (folder / "build.ninja").exists() and record.exists() and record.read_text() == "\n".join(options):
+    wanted = "\n".join([*options, (PROJECT / "CMakePresets.json").read_text(encoding="utf-8")])
+    if (folder / "build.ninja").exists() and record.exists() and record.read_text(encoding="utf-8") == wanted:
         return
     folder.mkdir(parents=True, exist_ok=True)
-    kind = " with sanitizers" if sanitize else ""
-    target.run(f"configuring the build{kind}", ["cmake", "--fresh", "-S", source, "-B", folder, *options])
-    record.write_text("\n".join(options))
+    target.run(f"configuring {what}", ["cmake", "--fresh", "-S", source, "-B", folder, *options])
+    record.write_text(wanted, encoding="utf-8")
 
 
 def _source(target):

@@ -69,8 +69,8 @@ test_suites() {
         wait_for "$suite" && ready="$ready $suite" || broken="$broken $suite"
     done
     [ -n "$ready" ] || fail "neither suite could be set up"
-    # Native code under sanitizers is tested on the last suite alone, whose compiler is quicker, and whose sanitizers see
-    # more; it has more to do than the other.
+    # Native code under sanitizers is tested on the last suite alone, whose compiler is quicker and whose sanitizers see
+    # more. It has more to do than the other.
     for suite in $ready; do
         sanitize=no parts_at_once=1
         [ "$suite" != "${ready##* }" ] || sanitize=yes parts_at_once=2

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <random>
 
+#include <fovea/base/sanitizers.h>
 #include <fovea/study/measures.h>
 #include <fovea/study/precision_recall.h>
 #include <fovea/study/register.h>
@@ -104,7 +105,7 @@ TEST(Registered, AHomographyIsRecoveredFromFourPoints) {
     EXPECT_FALSE(homography_of(from, std::vector<dvec2>{{0, 0}, {1, 1}, {2, 2}, {3, 3}}));
 }
 
-#ifdef __SANITIZE_ADDRESS__
+#ifdef FOVEA_ADDRESS_SANITIZER
 constexpr unsigned trials = 5;  // each takes seconds then
 #else
 constexpr unsigned trials = 50;

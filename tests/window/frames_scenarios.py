@@ -2,6 +2,8 @@
 """Scenarios of frame changes, keyframes, renders and operators on lines in Rendered shading. Tests check what a
 scenario returns."""
 
+import sys
+
 import bpy
 import numpy as np
 from showing import Steps, calm, of_file, opened, still, turn
@@ -99,7 +101,8 @@ def rendering(folder):
 
 
 def animation(folder):
-    """An animation is rendered beside a viewport that draws all the time; data is written meanwhile."""
+    """An animation is rendered beside a viewport that draws all the time; data is written meanwhile, and after it. Then
+    one into a movie that cannot be written: threads take turns as before."""
     yield from opened("boxes:3")
     scene = bpy.context.scene
     bpy.context.preferences.view.render_display_type = "NONE"
@@ -107,6 +110,7 @@ def animation(folder):
     scene.frame_start, scene.frame_end = 1, 12
     scene.render.filepath = str(folder / "frame_")
     use_style(scene, "technical")
+    interval = sys.getswitchinterval()
     with slower(viewport=0.1, render=0.2), busy(0.05):
         with screen.override():
             bpy.ops.render.render("INVOKE_DEFAULT", animation=True)
@@ -114,4 +118,15 @@ def animation(folder):
             turn(3)
             yield
             scene.unit_settings.scale_length += 1
-    return {"files": len(list(folder.glob("frame_*"))), "calm": (yield from calm())}
+    scene.unit_settings.scale_length = 1
+    told = {"files": len(list(folder.glob("frame_*")))}
+    settings = scene.render.image_settings
+    if hasattr(settings, "media_type"):
+        settings.media_type = "VIDEO"
+    settings.file_format = "FFMPEG"
+    scene.render.filepath = str(next(folder.glob("frame_*")) / "movie")  # in a folder that is a file
+    with screen.override():
+        bpy.ops.render.render("INVOKE_DEFAULT", animation=True)
+    yield from screen.until(lambda: not bpy.app.is_job_running("RENDER"))
+    yield from screen.until(lambda: sys.getswitchinterval() == interval)
+    return told | {"calm": (yield from calm())}

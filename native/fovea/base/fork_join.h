@@ -4,16 +4,10 @@
 // Without the sanitizer everything here compiles to nothing.
 #pragma once
 
-#if defined(__SANITIZE_THREAD__)  // GCC
-#define FOVEA_THREAD_SANITIZER 1
-#elif defined(__has_feature)
-#if __has_feature(thread_sanitizer)  // Clang
-#define FOVEA_THREAD_SANITIZER 1
-#endif
-#endif
+#include <fovea/base/sanitizers.h>
 
 #ifdef FOVEA_THREAD_SANITIZER
-// Declared as in sanitizer/tsan_interface.h, which Debian's Clang lacks.
+// Declared as in sanitizer/tsan_interface.h, which is in another package of Debian than Clang.
 extern "C" void __tsan_acquire(void* place);
 extern "C" void __tsan_release(void* place);
 /// For lambdas that oneTBB copies between threads: oneTBB synchronizes what they capture.

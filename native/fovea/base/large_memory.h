@@ -4,13 +4,7 @@
 
 #include <cstddef>
 
-#if defined(__SANITIZE_ADDRESS__)
-#define FOVEA_LARGE_MEMORY_IN_HEAP 1  // where overruns are looked for
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer)
-#define FOVEA_LARGE_MEMORY_IN_HEAP 1
-#endif
-#endif
+#include <fovea/base/sanitizers.h>
 
 namespace fovea::base {
 
@@ -19,8 +13,8 @@ namespace fovea::base {
 /// anew, page by page, where some hundred large blocks were taken and freed since.
 inline constexpr std::size_t large_memory = 8000;
 
-/// Bytes of freed memory that are kept for the next arrays; 0: they take all from the heap.
-#ifdef FOVEA_LARGE_MEMORY_IN_HEAP
+/// Bytes of freed memory that are kept for the next arrays; 0: they take all from the heap, where overruns are found.
+#ifdef FOVEA_ADDRESS_SANITIZER
 inline constexpr std::size_t keeps_large_memory = 0;
 #else
 inline constexpr std::size_t keeps_large_memory = std::size_t(256) << 20;

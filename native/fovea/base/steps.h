@@ -7,10 +7,8 @@
 
 namespace fovea::base {
 
-/// The number of equal steps of a way that is `wanted` steps long: its ceiling, from 1 to `most`; 1 of NaN. Bounded before
-/// it is converted, because what an int cannot hold is converted to another number on another machine.
-inline int steps_of(double wanted, int most) {
-    return int(std::min(std::max(1.0, std::ceil(wanted)), double(most)));
-}
+/// The number of equal steps of a way that is `wanted` steps long: its ceiling, from 1 to `most`; 1 of NaN. Bounded
+/// before it is converted, because what an int cannot hold is converted to another number on another machine.
+inline int steps_of(double wanted, int most) { return int(std::min(std::max(1.0, std::ceil(wanted)), double(most))); }
 
 }  // namespace fovea::base

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include <fovea/base/hash.h>
+#include <fovea/base/steps.h>
 #include <fovea/field/shape.h>
 #include <fovea/line/dark_parts.h>
 #include <fovea/line/look_at.h>
@@ -130,10 +131,10 @@ Curves in_light(const LightEye& eye, const Curves& pieces, Index placement, bool
                 const LightEye::Passing way = eye.pass(point, ignore);
                 return way.lit ? Interval{} : way.hit ? dark.hidden_by(*way.hit, t) : Interval{t, t};
             };
-            const double steps = std::ceil(glm::distance(a, b) / eye.step);
+            const double steps = glm::distance(a, b) / eye.step;
             if (!std::isfinite(steps)) continue;
             Index number = 0;
-            each_lit_part(int(std::clamp(steps, 1.0, most_steps)), dark_at, [&](double from, double to) {
+            each_lit_part(steps_of(steps, most_steps), dark_at, [&](double from, double to) {
                 CurvePiece part = piece;
                 for (const int i : {0, 1}) {
                     const double t = i ? to : from;

@@ -9,7 +9,7 @@
 namespace fovea::line {
 
 /// Steps along a segment at which a light is asked, at most.
-inline constexpr double most_steps = 1024;
+inline constexpr int most_steps = 1024;
 
 class LightEye {
    public:

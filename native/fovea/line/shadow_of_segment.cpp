@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fovea/base/steps.h>
+
 namespace fovea::line {
 namespace {
 
@@ -30,7 +32,7 @@ class Shadow {
         const double wanted = length_ / eye_.step;
         if (!std::isfinite(wanted)) return;
         dark_.next_segment(segment_.from, segment_.to, segment_.ignore);
-        const int steps = static_cast<int>(std::clamp(std::ceil(wanted), 1.0, most_steps));
+        const int steps = steps_of(wanted, most_steps);
         At before = at(0.0);
         for (int i = 1; i <= steps; ++i) {
             const At next = at(double(i) / steps);

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include <fovea/base/steps.h>
 #include <fovea/runs/chain.h>
 #include <fovea/visibility/segment.h>
 
@@ -10,6 +11,7 @@ namespace fovea::runs {
 namespace {
 
 constexpr double asked_px = 2.0;
+constexpr int most_asked = 100'000;
 constexpr double most_depth = 4.0;  // of what hides it before the line, in lengths of the gap
 
 /// Whether only the roughness of a line's own surface hides it between two arc lengths.
@@ -21,7 +23,7 @@ bool is_rough(const ClippedPaths& clipped, const Paths& paths, const Tracer& tra
         return std::pair(segment.at(clipped.share_at(i, arc, 0.5)), segment.ignore);
     };
     const double length = glm::distance(place(from).first, place(to).first);
-    const int steps = std::max(1, static_cast<int>(std::ceil((to - from) / asked_px)));
+    const int steps = steps_of((to - from) / asked_px, most_asked);
     for (int k = 0; k < steps; ++k) {
         const auto [point, ignore] = place(glm::mix(from, to, (k + 0.5) / steps));
         const auto hit = tracer.occluder(vec3(point), ignore);

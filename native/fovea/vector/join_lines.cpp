@@ -8,18 +8,19 @@
 
 #include <fovea/base/cancel.h>
 #include <fovea/base/point_grid.h>
+#include <fovea/base/steps.h>
 #include <fovea/vector/fit_cubic.h>
 
 namespace fovea::vector {
 namespace {
 
-constexpr double parallel = 0.9986;  // cosine of 3 degrees
-constexpr double side_length = 1.0;  // in cells of the grid: sides of kept lines are cut into such parts
-constexpr double most_steps = 1e6;   // of a side
+constexpr double parallel = 0.9986;    // cosine of 3 degrees
+constexpr double side_length = 1.0;    // in cells of the grid: sides of kept lines are cut into such parts
+constexpr int most_steps = 1'000'000;  // of a side
 constexpr std::size_t most_partners = 8;
 
 /// Parts of a length, at most that long.
-int parts_of(double length, double step) { return int(std::clamp(std::ceil(length / step), 1.0, most_steps)); }
+int parts_of(double length, double step) { return base::steps_of(length / step, most_steps); }
 
 /// Sides of lines that are kept, by place.
 class Kept {

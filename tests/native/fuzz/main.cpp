@@ -15,12 +15,13 @@
 #include <unistd.h>
 #include <vector>
 
+#include <fovea/base/sanitizers.h>
 #include <fovea/base/threads.h>
 
 #include "fuzz.h"
 #include "rules.h"
 
-#ifdef __SANITIZE_ADDRESS__
+#ifdef FOVEA_ADDRESS_SANITIZER
 #include <sanitizer/common_interface_defs.h>
 #endif
 
@@ -28,7 +29,7 @@ namespace {
 
 using namespace fovea::fuzz;
 
-#ifdef __SANITIZE_ADDRESS__
+#ifdef FOVEA_ADDRESS_SANITIZER
 constexpr int most_seconds = 30;  // of the processor, for one input: what takes one second takes about ten here
 #else
 constexpr int most_seconds = 10;
@@ -39,7 +40,7 @@ constexpr int most_waiting = 120;  // seconds for one input that waits for what 
 void too_long(int signal) {
     const char* sentence = signal == SIGALRM ? "\nHANGS: it waits\n" : "\nHANGS: it takes too long\n";
     [[maybe_unused]] const auto written = write(2, sentence, std::char_traits<char>::length(sentence));
-#ifdef __SANITIZE_ADDRESS__
+#ifdef FOVEA_ADDRESS_SANITIZER
     __sanitizer_print_stack_trace();
 #endif
     _exit(3);
