@@ -10,10 +10,6 @@ from . import sanitizers
 from .precompiled import forget_changed
 from .target import PROJECT
 
-# Of suites, where it is not CMake's choice. Clang takes half as long as GCC, which compiles for the other suite: code
-# that one of them refuses is noticed all the same.
-COMPILERS = {"trixie": "clang++-19"}
-
 
 def build(target, goal="_native", sanitize=False):
     """Builds a CMake target (`_native` or `fovea_tests`); returns the build folder."""
@@ -41,7 +37,9 @@ def preset(target, name, *goals):
     Objects shared with another build (`release` and the module, for example) come from ccache."""
     folder = target.work / f"preset-{name}"
     with target.lock():
-        _configure(target, folder, f"the preset {name}", ["--preset", name, *_compiling(target)])
+        _configure(
+            target, folder, f"the preset {name}", ["--preset", name, *_compiling(target, name in sanitizers.PRESETS)]
+        )
         _make(target, f"building the preset {name}", folder, *(["--target", *goals] if goals else []))
     return folder
 
@@ -72,7 +70,7 @@ def _source(target):
 
 
 def cmake_options(target, sanitize):
-    options = ["-G", "Ninja", f"-DPython_EXECUTABLE={sys.executable}", *_compiling(target)]
+    options = ["-G", "Ninja", f"-DPython_EXECUTABLE={sys.executable}", *_compiling(target, sanitize)]
     options.append(f"-DFOVEA_SANITIZE={sanitizers.names() if sanitize else ''}")
     options.append(f"-DFOVEA_TESTS={'ON' if target.is_suite else 'OFF'}")
     options.append("-DFOVEA_TOOL=OFF")
@@ -81,10 +79,10 @@ def cmake_options(target, sanitize):
     return options
 
 
-def _compiling(target):
+def _compiling(target, sanitize):
     options = ["-DCMAKE_COLOR_DIAGNOSTICS=OFF"]
-    if target.name in COMPILERS:
-        options.append(f"-DCMAKE_CXX_COMPILER={COMPILERS[target.name]}")
+    if sanitize and target.name in sanitizers.COMPILERS:
+        options.append(f"-DCMAKE_CXX_COMPILER={sanitizers.COMPILERS[target.name]}")
     # Warnings are errors only with the fixed compiler of Debian stable; new warnings of other compilers must not break
     # the build.
     options.append(f"-DCMAKE_COMPILE_WARNING_AS_ERROR={'ON' if target.name == 'trixie' else 'OFF'}")

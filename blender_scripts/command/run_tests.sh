@@ -41,7 +41,8 @@ test_long() {
         add_counts
     done
     test_windows
-    (use_suite trixie && run_command fuzz --minutes 10) && passed=$((passed + 1)) || failed=$((failed + 1))
+    (use_suite trixie && set_up_sanitizers && run_command fuzz --minutes 10) && passed=$((passed + 1)) ||
+        failed=$((failed + 1))
     (check_on trixie --tidy native tests/native) && passed=$((passed + 1)) || failed=$((failed + 1))
 }
 
@@ -69,8 +70,8 @@ test_suites() {
         wait_for "$suite" && ready="$ready $suite" || broken="$broken $suite"
     done
     [ -n "$ready" ] || fail "neither suite could be set up"
-    # Native code under sanitizers is tested on the last suite alone, whose compiler is quicker and whose sanitizers see
-    # more. It has more to do than the other.
+    # Native code under sanitizers is tested on the last suite alone, whose sanitizers see more. It has more to do than
+    # the other.
     for suite in $ready; do
         sanitize=no parts_at_once=1
         [ "$suite" != "${ready##* }" ] || sanitize=yes parts_at_once=2
@@ -94,12 +95,18 @@ stop_children() {
     done
 }
 
+# Installs in the chosen target, if it is the suite whose sanitizers are Clang's, what they need (sanitizers.py).
+set_up_sanitizers() {
+    [ "$target_name" != trixie ] || set_up_suite trixie clang-19 libclang-rt-19-dev llvm-19
+}
+
 # test_target SANITIZE JOBS [PART] WORDS...: tests the chosen target; the counts are written to a file.
 test_target() {
     sanitize_here=$1
     jobs=$2
     shift 2
     rm -f "$(counts_file)"
+    set_up_sanitizers || return
     run_command test --sanitize "$sanitize_here" --jobs "$jobs" "$@"
 }
 

@@ -10,7 +10,7 @@ set_up_suite() {
     suite=$1
     shift
     packages_are=${*:-Blender, compiler and libraries}
-    [ $# -gt 0 ] || set -- $(package_names "$suite")
+    [ $# -gt 0 ] || set -- $(package_names)
     suite_folder=$cache/$suite
     root=$suite_folder/root
     stamp=$suite_folder/installed/$(printf '%s\n' "$@" | sha256sum | cut -c 1-16)
@@ -49,9 +49,8 @@ make_suite() {
     say "Debian $suite is ready"
 }
 
-# package_names SUITE: prints what packages.txt lists for it.
 package_names() {
-    awk -v suite="@$1" '{ sub(/#.*/, "") } NF == 1 || $2 == suite { print $1 }' "$here/packages.txt"
+    sed 's/#.*//' "$here/packages.txt" | tr -s ' \n' '\n' | sed '/^$/d'
 }
 
 # Both suites may be set up at once: one of them installs, the other waits.

@@ -6,7 +6,6 @@ import subprocess
 from pathlib import Path
 
 import pytest
-from command import build
 
 HERE = Path(__file__).parents[2] / "blender_scripts" / "command"
 SECRET = "pa55word"
@@ -81,14 +80,6 @@ def test_packages_are_installed_with_it_and_the_suite_keeps_none_of_it(shell):
     texts = "".join(path.read_text() for path in kept + list((cache / "log").iterdir()))
     assert kept and SECRET not in texts and SECRET not in (cache / "said").read_text()
     assert not any(line in texts for line in OTHERS + REACHING)
-
-
-def test_a_package_that_one_suite_needs_is_installed_in_that_one_alone(shell):
-    of = {suite: shell(f"package_names {suite}")[1].splitlines() for suite in ("sid", "trixie")}
-    assert "g++" in of["sid"] and "g++" not in of["trixie"]
-    compiler = build.COMPILERS["trixie"].replace("++", "")
-    assert compiler in of["trixie"] and compiler not in of["sid"]
-    assert "blender" in of["sid"] and "blender" in of["trixie"] and not any("@" in name for name in of["trixie"])
 
 
 def test_what_earlier_versions_stored_is_forgotten(shell):
