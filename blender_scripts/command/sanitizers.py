@@ -7,8 +7,8 @@ import os
 from .target import PROJECT
 
 THREAD_SUPPRESSIONS = PROJECT / "tests" / "native" / "thread_sanitizer.supp"
-# Of suites, where it is not CMake's choice: Clang compiles in two thirds of the time, its sanitizers see more than those
-# of GCC, and what it makes is several times as fast. Without them GCC makes the faster core. run_tests.sh installs it.
+# Of suites, where it is not CMake's choice. Clang compiles in two thirds of the time, its sanitizers see more than
+# GCC's, and what it makes is several times as fast. Without them GCC makes the faster core. run_tests.sh installs it.
 COMPILERS = {"trixie": "clang++-19"}
 PRESETS = "sanitize", "thread-sanitize"
 SYMBOLIZER = "/usr/lib/llvm-19/bin"  # folder of Clang's, which names functions in reports
