@@ -26,7 +26,7 @@ constexpr double own = 3.0;
 constexpr double most_squares = 4e5;
 /// Where none begins beside others, it is tried so many times on a square.
 constexpr double trials = 8.0;
-constexpr int most_in_triangle = 4096;  // across one triangle
+constexpr int most_in_triangle = 4096;  // steps across one triangle
 /// Cosine of the angle between normals up to which places are on the same side of a sheet.
 constexpr double same_side = 0.2;
 /// How near curves come to the corners of triangles, as a share of a side.
