@@ -8,16 +8,17 @@ from pathlib import Path
 
 from . import sanitizers
 from .precompiled import forget_changed
-from .target import PROJECT
+from .target import PROJECT, YIELDING
 
 
 def build(target, goal="_native", sanitize=False):
-    """Builds a CMake target (`_native` or `fovea_tests`); returns the build folder."""
+    """Builds a CMake target (`_native` or `fovea_tests`); returns the build folder. With sanitizers it yields to others:
+    no other part of the tests waits for it."""
     folder = target.work / ("sanitize" if sanitize else "release")
     with target.lock():
         kind = " with sanitizers" if sanitize else ""
         _configure(target, folder, f"the build{kind}", cmake_options(target, sanitize))
-        _make(target, f"building {goal}{kind}", folder, "--target", goal)
+        _make(target, f"building {goal}{kind}", folder, "--target", goal, first=YIELDING if sanitize else [])
     return folder
 
 
@@ -44,9 +45,10 @@ def preset(target, name, *goals):
     return folder
 
 
-def _make(target, sentence, folder, *words):
+def _make(target, sentence, folder, *words, first=()):
+    """first: words before the command."""
     forget_changed(folder)
-    target.run(sentence, ["cmake", "--build", folder, "-j", str(len(os.sched_getaffinity(0))), *words])
+    target.run(sentence, [*first, "cmake", "--build", folder, "-j", str(len(os.sched_getaffinity(0))), *words])
 
 
 def _configure(target, folder, what, options):

@@ -12,7 +12,7 @@ test_targets() {
         test_windows "$@"
     elif [ -n "$on${BLENDER:-}" ]; then
         choose_target "$on" || exit 1
-        test_target yes "$(getconf _NPROCESSORS_ONLN)" "$@" || status=$?
+        test_target none "$(getconf _NPROCESSORS_ONLN)" "$@" || status=$?
         add_counts
     else
         test_suites "$@"
@@ -25,19 +25,19 @@ test_targets() {
 
 farm_packages="slurm-wlm munge nodejs" # of tests/long
 
-# Runs what takes longer than all other tests: on the suite with a fixed compiler and clang-tidy the native tests that
-# take long with sanitizers, those of threads under the thread sanitizer, runs that are killed in a loop, also by Slurm,
-# random inputs and the lint of all C++ files, which count as one test each; on both suites Blender's tests with the
-# self-contained module; and what is built for Windows.
+# Runs what takes longer than all other tests: on the suite with a fixed compiler and clang-tidy the native tests as they
+# are, those that take long with sanitizers, those of threads under the thread sanitizer, runs that are killed in a loop,
+# also by Slurm, random inputs and the lint of all C++ files, which count as one test each; on both suites Blender's tests
+# with the self-contained module; and what is built for Windows.
 test_long() {
     [ $# -eq 0 ] || fail "test --long takes no other words, and not '$1'"
     [ -z "$on" ] || fail "test --long takes no --on: it runs on Debian trixie, and partly on sid"
     use_suite sid || exit 1 # its Python's headers are needed
     make_modules linux-x64-cp313 linux-x64-cp314 || fail "the self-contained modules could not be built"
-    for run in "trixie long_sanitize" "sid standalone" "trixie standalone" "trixie threads" "trixie kills"; do
+    for run in "trixie native" "trixie long_sanitize" "sid standalone" "trixie standalone" "trixie threads" "trixie kills"; do
         use_suite "${run% *}" || exit 1
         [ "$run" != "trixie kills" ] || set_up_suite trixie $farm_packages || exit 1
-        test_target no "$(getconf _NPROCESSORS_ONLN)" "${run#* }" || status=$?
+        test_target none "$(getconf _NPROCESSORS_ONLN)" "${run#* }" || status=$?
         add_counts
     done
     test_windows
@@ -70,12 +70,13 @@ test_suites() {
         wait_for "$suite" && ready="$ready $suite" || broken="$broken $suite"
     done
     [ -n "$ready" ] || fail "neither suite could be set up"
-    # Native code under sanitizers is tested on the last suite alone, whose sanitizers see more. It has more to do than
-    # the other.
+    # Native tests run as they are on the first suite, and under sanitizers on the last, whose sanitizers see more, and
+    # which has more to do then.
     for suite in $ready; do
-        sanitize=no parts_at_once=1
-        [ "$suite" != "${ready##* }" ] || sanitize=yes parts_at_once=2
-        (use_suite "$suite" && test_target "$sanitize" "$parts_at_once" "$@") &
+        without=sanitize parts_at_once=1
+        [ "$suite" != "${ready##* }" ] || without=native parts_at_once=2
+        [ "$suite" != "${ready# }" ] || without=none
+        (use_suite "$suite" && test_target "$without" "$parts_at_once" "$@") &
         eval "child_$suite=$!"
     done
     for suite in $ready; do
@@ -100,14 +101,15 @@ set_up_sanitizers() {
     [ "$target_name" != trixie ] || set_up_suite trixie clang-19 libclang-rt-19-dev llvm-19
 }
 
-# test_target SANITIZE JOBS [PART] WORDS...: tests the chosen target; the counts are written to a file.
+# test_target WITHOUT JOBS [PART] WORDS...: tests the chosen target, but for the part WITHOUT (none: all of it), or PART
+# alone; the counts are written to a file.
 test_target() {
-    sanitize_here=$1
+    left_out=$1
     jobs=$2
     shift 2
     rm -f "$(counts_file)"
     set_up_sanitizers || return
-    run_command test --sanitize "$sanitize_here" --jobs "$jobs" "$@"
+    run_command test --without "$left_out" --jobs "$jobs" "$@"
 }
 
 counts_file() {

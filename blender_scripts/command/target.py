@@ -17,6 +17,7 @@ from pathlib import Path
 PROJECT = Path(__file__).resolve().parents[2]
 INTERRUPTS = (signal.SIGINT, signal.SIGTERM)
 PATIENCE = 3  # seconds in which a process that is interrupted ends by itself
+YIELDING = ["nice", "-n", "10"]  # begins a command that uses all cores, and leaves them to what runs beside it
 LONGEST = 120  # bytes of a log's name; file systems take 255, encrypted ones 143
 SHARED = PROJECT.parent / "shared"  # models that are not part of the project; may be absent
 

@@ -16,7 +16,7 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 from . import build, module_sources, package, sanitizers
-from .target import PROJECT, StepFailed, say, tail
+from .target import PROJECT, YIELDING, StepFailed, say, tail
 
 TESTS = PROJECT / "tests"
 ABOUT_THREADS = "*Thread*:*Cache*:*Cancel*"  # native tests of parallel loops, caches and cancellation
@@ -25,7 +25,7 @@ WAY = re.compile(r' *File "/usr/lib|.*libpython|Extension modules|\s*$')  # Pyth
 
 
 def test(target, words):
-    """words: --sanitize yes|no --jobs N [PART], then arguments for pytest. Writes the counts to WORK/results/counts."""
+    """words: --without PART|none --jobs N [PART], then arguments for pytest. Writes the counts to WORK/results/counts."""
     parts, jobs, pytest_words = parse(words)
     results = target.work / "results"
     shutil.rmtree(results, ignore_errors=True)
@@ -40,10 +40,10 @@ def test(target, words):
 
 
 def parse(words):
-    _, sanitize, _, jobs, *rest = words
+    """The parts to run: the one that is named, else all but the long ones and the one that another target runs."""
+    _, without, _, jobs, *rest = words
     part = rest.pop(0) if rest and rest[0] in PARTS else None
-    left_out = {*LONG, *(() if sanitize == "yes" else ("sanitize",))}
-    return [part] if part else [name for name in PARTS if name not in left_out], int(jobs), rest
+    return [part] if part else [name for name in PARTS if name not in (*LONG, without)], int(jobs), rest
 
 
 def _part(target, part, report, words):
@@ -102,7 +102,8 @@ def _long_sanitize(target, report, _words):
 def _sanitized(target, part, report, sign):
     """sign: "-" leaves out the tests that take long with sanitizers, "" runs them alone."""
     folder = build.build(target, "fovea_tests", sanitize=True)
-    return _shards(part, folder, report, f"--gtest_filter={sign}{':'.join(long_with_sanitizers())}")
+    shards = _shards(part, folder, report, f"--gtest_filter={sign}{':'.join(long_with_sanitizers())}")
+    return [(sentence, [*YIELDING, *command], *rest) for sentence, command, *rest in shards]
 
 
 def long_with_sanitizers():

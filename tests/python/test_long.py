@@ -31,6 +31,17 @@ check_on() { echo "check $*"; return "$tidy"; }
 test_targets "$@"
 """
 
+# As above, for a run of all parts; the suite BROKEN cannot be set up.
+SUITES = """
+here=$1 on= BLENDER= cache=/none all_suites="sid trixie"
+for part in say target run_tests; do . "$here/$part.sh"; done
+use_suite() { [ "$1" != "BROKEN" ] && target_name=$1; }
+counts_file() { echo /none; }
+work_folder() { echo /none; }
+test_target() { echo "$target_name without $1, $2 at once"; }
+test_targets || true
+"""
+
 
 @pytest.fixture
 def long(tmp_path):
@@ -47,14 +58,14 @@ def long(tmp_path):
 
 
 def test_all_that_takes_long_is_run_and_counted(long):
-    ran = ["modules linux-x64-cp313 linux-x64-cp314", "test trixie long_sanitize", "test sid standalone"]
-    ran += ["test trixie standalone", "test trixie threads", "set up trixie slurm-wlm munge nodejs"]
+    ran = ["modules linux-x64-cp313 linux-x64-cp314", "test trixie native", "test trixie long_sanitize"]
+    ran += ["test sid standalone", "test trixie standalone", "test trixie threads", "set up trixie slurm-wlm munge nodejs"]
     ran += ["test trixie kills", "run main.py --wine"]
     ran += ["set up trixie clang-19 libclang-rt-19-dev llvm-19", "command trixie fuzz --minutes 10"]
     ran += ["check trixie --tidy native tests/native"]
-    assert long() == (0, [*ran, "32 passed, 0 failed, 0 skipped"], "")
-    assert long(tidy=1) == (1, [*ran, "31 passed, 1 failed, 0 skipped"], "")
-    assert long(counts="4 1 0") == (1, [*ran, "26 passed, 6 failed, 0 skipped"], "")
+    assert long() == (0, [*ran, "37 passed, 0 failed, 0 skipped"], "")
+    assert long(tidy=1) == (1, [*ran, "36 passed, 1 failed, 0 skipped"], "")
+    assert long(counts="4 1 0") == (1, [*ran, "30 passed, 7 failed, 0 skipped"], "")
 
 
 def test_what_is_built_for_windows_runs_alone_and_without_a_suite(long):
@@ -74,12 +85,21 @@ def test_other_words_beside_it_are_refused(long):
     assert "takes no --on" in long(on="sid")[2]
 
 
-@pytest.mark.parametrize("sanitize", ["yes", "no"])
-def test_a_run_of_all_parts_leaves_them_out(sanitize):
-    words = ["--sanitize", sanitize, "--jobs", "2"]
+@pytest.mark.parametrize("without", ["sanitize", "native", "none"])
+def test_a_run_of_all_parts_leaves_them_out(without):
+    words = ["--without", without, "--jobs", "2"]
     parts, jobs, _ = test.parse(words)
-    assert jobs == 2 and not set(test.LONG) & set(parts) and ("sanitize" in parts) == (sanitize == "yes")
-    assert test.parse([*words, "threads"])[0] == ["threads"]
+    assert jobs == 2 and set(test.PARTS) - set(parts) == {*test.LONG, without} - {"none"}
+    assert test.parse([*words, "threads"])[0] == ["threads"] and test.parse([*words, "native"])[0] == ["native"]
+
+
+@pytest.mark.parametrize("broken", ["", "sid", "trixie"])
+def test_native_tests_run_as_they_are_and_under_sanitizers_whichever_suite_is_there(broken):
+    script = SUITES.replace("BROKEN", broken)
+    done = subprocess.run(["/bin/sh", "-eu", "-c", script, "sh", HERE], capture_output=True, text=True)
+    both = ["sid without sanitize, 1 at once", "trixie without native, 2 at once"]
+    there = [f"{suite} without none, 2 at once" for suite in ("sid", "trixie") if suite != broken]
+    assert sorted(done.stdout.splitlines()[:-1]) == (there if broken else both), done.stderr
 
 
 def test_what_takes_long_with_sanitizers_is_a_test_that_is_there():

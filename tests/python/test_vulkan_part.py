@@ -39,7 +39,7 @@ def test_an_older_blender_and_one_of_the_users_own_are_left_alone(runs, capsys):
 
 
 def test_the_part_is_among_those_that_run_by_default():
-    assert "vulkan" in test.parse(["--sanitize", "no", "--jobs", "1"])[0]
+    assert "vulkan" in test.parse(["--without", "none", "--jobs", "1"])[0]
 
 
 def test_a_part_without_anything_to_run_counts_nothing(monkeypatch, tmp_path):
