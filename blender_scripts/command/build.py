@@ -12,8 +12,8 @@ from .target import PROJECT, YIELDING
 
 
 def build(target, goal="_native", sanitize=False):
-    """Builds a CMake target (`_native` or `fovea_tests`); returns the build folder. With sanitizers it yields to others:
-    no other part of the tests waits for it."""
+    """Builds a CMake target (`_native` or `fovea_tests`); returns the build folder. With sanitizers it yields to what
+    runs beside it: no other part of the tests waits for it."""
     folder = target.work / ("sanitize" if sanitize else "release")
     with target.lock():
         kind = " with sanitizers" if sanitize else ""

@@ -25,7 +25,7 @@ WAY = re.compile(r' *File "/usr/lib|.*libpython|Extension modules|\s*$')  # Pyth
 
 
 def test(target, words):
-    """words: --without PART|none --jobs N [PART], then arguments for pytest. Writes the counts to WORK/results/counts."""
+    """words: --without PART|none --jobs N [PART], then arguments for pytest. Counts go to WORK/results/counts."""
     parts, jobs, pytest_words = parse(words)
     results = target.work / "results"
     shutil.rmtree(results, ignore_errors=True)

@@ -13,7 +13,7 @@ struct AbstractedShading : ImageValues {
     bool valleys, ridges;
 };
 
-const auto parameters =
+const auto abstracted_shading_parameters =
     image_parameters<AbstractedShading>(0.05, "How far the tone rises beside a line from which lines are drawn", 4.0)
         .with({{&AbstractedShading::valleys, "valleys", "Valleys", true, "Lines along thin dark areas"},
                {&AbstractedShading::ridges, "ridges", "Ridges", false, "Lines along thin light areas"}});
@@ -28,7 +28,7 @@ Curves trace(const FrameView& frame, const SmoothTone& tone, const ImageValues& 
     return trace_bends(frame, tone, values, sign, depth);
 }
 
-Curves find(const FrameView& frame, const AbstractedShading& values) {
+Curves find_abstracted_shading(const FrameView& frame, const AbstractedShading& values) {
     const auto tone = smooth_tone(frame, values, white);
     Curves curves;
     if (values.valleys) curves = trace(frame, *tone, values, 1.0f);
@@ -49,8 +49,8 @@ extern const LineDefinition abstracted_shading = {
     .description = "Thin dark areas of the shaded scene, and thin light ones, as lines",
     .scope = Scope::scene,
     .importance = 0.25,
-    .parameters = parameters,
-    .rule = ImageRule{parameters.of(find)},
+    .parameters = abstracted_shading_parameters,
+    .rule = ImageRule{abstracted_shading_parameters.of(find_abstracted_shading)},
     .slow = true,
 };
 

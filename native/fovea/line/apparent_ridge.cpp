@@ -19,7 +19,7 @@ struct ApparentRidge : ThresholdValues {
     bool ridges, valleys;
 };
 
-const auto parameters =
+const auto apparent_ridge_parameters =
     threshold_parameters<ApparentRidge>(
         0.025, 0.5, 3.0,
         "Squared view-dependent curvature that a line reaches somewhere, in units of 1 / feature size squared")
@@ -27,7 +27,7 @@ const auto parameters =
                {&ApparentRidge::valleys, "valleys", "Valleys", true,
                 "Draw lines where the surface is hollow across them"}});
 
-Curves find(const SurfaceView& seen, const ApparentRidge& values) {
+Curves find_apparent_ridge(const SurfaceView& seen, const ApparentRidge& values) {
     const Surface& surface = seen.surface;
     const auto fields = fields_of(surface);
     const Thresholds thresholds(surface, values, 2);
@@ -83,8 +83,8 @@ extern const LineDefinition apparent_ridge = {
     .description = "Where the surface bends most as the viewer sees it",
     .scope = Scope::view,
     .importance = 0.3,
-    .parameters = parameters,
-    .rule = feature_rule(parameters, 2, find),
+    .parameters = apparent_ridge_parameters,
+    .rule = feature_rule(apparent_ridge_parameters, 2, find_apparent_ridge),
     .of_smooth = true,
 };
 

@@ -17,9 +17,9 @@ constexpr double most_together = glm::radians(120.0);  // by more, it is a bead 
 constexpr double beside = 2.0;                         // widths of the bevel on either side of it that are looked at
 constexpr double most_beside = 0.25;                   // turn there, as a share of that of the bevel
 constexpr double most_turn = (1.0 + most_beside) * most_together;  // of a bevel and what is beside it
-constexpr double most_like = 0.5;     // turn of edges next to it, as a share of the mean of its own
-constexpr double least_length = 5.0;  // of a bevel, in widths
-constexpr int most_steps = 15;        // to one side
+constexpr double most_like = 0.5;           // turn of edges next to it, as a share of the mean of its own
+constexpr double least_bevel_length = 5.0;  // of a bevel, in widths
+constexpr int most_side_steps = 15;         // to one side
 
 /// Edges alongside each other, across the faces between them, from one end to the other.
 struct Row {
@@ -28,9 +28,9 @@ struct Row {
         double turn;  // negative where it turns the other way
         Index edge;
     };
-    std::array<Step, 2 * most_steps + 1> room;  // the first edge in the middle
-    std::span<const Step> steps;                // of it, by `at`
-    double known_from = 0.0, known_to = 0.0;    // as far as its faces go
+    std::array<Step, 2 * most_side_steps + 1> room;  // the first edge in the middle
+    std::span<const Step> steps;                     // of it, by `at`
+    double known_from = 0.0, known_to = 0.0;         // as far as its faces go
 };
 
 class Bevels {
@@ -57,7 +57,7 @@ class Bevels {
         return parallel_map<std::uint8_t>(width.size(), [&](std::size_t e) {
             if (!(width[e] > 0.0f)) return false;
             const dvec2 of = extent[rows.name(surface_.edges[e].x)];
-            return of.x * of.x >= least_length * of.y;
+            return of.x * of.x >= least_bevel_length * of.y;
         });
     }
 
@@ -116,12 +116,12 @@ class Bevels {
     /// there on it would turn by too much.
     void look_across(Index edge, Row& row) const {
         const double sign = edges_.turn(edge) < 0.0 ? -1.0 : 1.0;
-        row.room[most_steps] = {0.0, sign * edges_.turn(edge), edge};
-        int first = most_steps, last = most_steps;
+        row.room[most_side_steps] = {0.0, sign * edges_.turn(edge), edge};
+        int first = most_side_steps, last = most_side_steps;
         for (const int way : {-1, 1}) {
             double at = 0.0, turn = 0.0;
             Index from = 2 * edge + (way > 0);
-            for (int k = 0; k < most_steps && turn <= most_turn; ++k) {
+            for (int k = 0; k < most_side_steps && turn <= most_turn; ++k) {
                 Step next = steps_[from];
                 if (next.to / 2 == edge) next = step(from, edge);
                 at += next.width;

@@ -12,8 +12,9 @@ struct Border {
     bool loose;
 };
 
-const Parameters<Border> parameters{{&Border::loose, "loose", "Loose Edges", true,
-                                     "Draw edges without faces, too: wires, curves without a bevel, strands as lines"}};
+const Parameters<Border> border_parameters{
+    {&Border::loose, "loose", "Loose Edges", true,
+     "Draw edges without faces, too: wires, curves without a bevel, strands as lines"}};
 
 /// Whether an edge has a length: of a loose one, no face has told whether its vertices are broken.
 bool has_length(const Surface& surface, const Edge& edge) {
@@ -22,7 +23,7 @@ bool has_length(const Surface& surface, const Edge& edge) {
     return square > 0.0 && std::isfinite(square);
 }
 
-void mark(const SurfaceView& seen, const Border& values, Kinds bit, Array<Kinds>& kinds) {
+void mark_border(const SurfaceView& seen, const Border& values, Kinds bit, Array<Kinds>& kinds) {
     const Surface& surface = seen.surface;
     mark_edges(surface.mesh_edges, bit, kinds, [&](Index e) {
         if (surface.edge_rows.size(e) == 1) return true;
@@ -39,8 +40,8 @@ extern const LineDefinition border = {
     .description = "Where an open surface ends: edges with one face, and loose ones with none",
     .scope = Scope::surface,
     .importance = 0.6,
-    .parameters = parameters,
-    .rule = EdgeRule{parameters.of(mark)},
+    .parameters = border_parameters,
+    .rule = EdgeRule{border_parameters.of(mark_border)},
     .usual = true,
 };
 

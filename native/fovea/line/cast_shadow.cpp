@@ -22,7 +22,7 @@ struct CastShadow {
     bool corners;
 };
 
-const Parameters<CastShadow> parameters{
+const Parameters<CastShadow> cast_shadow_parameters{
     {&CastShadow::lights, "lights", "Lights", 4, 0, 64,
      "How many lights have lines, those that are strongest amid the scene first"},
     {&CastShadow::corners, "corners", "Corners of Areas", false,
@@ -136,7 +136,8 @@ void append_curves(const LightEye& eye, In<Cast> shadows, In<std::uint8_t> drawn
     for (auto& [placement, curves] : of_placement) found.push_back({placement, placement, std::move(curves)});
 }
 
-std::vector<SceneCurves> find(const Scene& scene, In<Index> drawn, const CastShadow& values, const Cancel& cancel) {
+std::vector<SceneCurves> find_cast_shadow(const Scene& scene, In<Index> drawn, const CastShadow& values,
+                                          const Cancel& cancel) {
     std::vector<SceneCurves> found;
     Array<std::uint8_t> is_drawn(scene.placements.size(), 0);
     for (const Index placement : drawn) is_drawn[placement] = 1;
@@ -156,8 +157,8 @@ extern const LineDefinition cast_shadow = {
     .description = "Outlines of the shadows that things cast on others and on themselves, by the lights of the scene",
     .scope = Scope::placements,
     .importance = 0.4,
-    .parameters = parameters,
-    .rule = SceneRule{parameters.of(find), [](const Surface&, const Values&, const Cancel&) {}},
+    .parameters = cast_shadow_parameters,
+    .rule = SceneRule{cast_shadow_parameters.of(find_cast_shadow), [](const Surface&, const Values&, const Cancel&) {}},
     .ends_at_lines = true,
     .usual = true,
     .shade = Shade::cast,

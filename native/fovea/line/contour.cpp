@@ -13,7 +13,7 @@
 namespace fovea::line {
 namespace {
 
-void mark(const SurfaceView& seen, const Values&, Kinds bit, Array<Kinds>& kinds) {
+void mark_contour(const SurfaceView& seen, const Values&, Kinds bit, Array<Kinds>& kinds) {
     const Surface& surface = seen.surface;
     mark_edges(surface.edges.size(), bit, kinds, [&](Index e) {
         const In<EdgeSide> sides = surface.sides(e);
@@ -35,7 +35,7 @@ extern const LineDefinition contour = {
         "Where a surface turns away from the viewer: edges between front and back faces. Freestyle calls it Silhouette",
     .scope = Scope::view,
     .importance = outline_importance,
-    .rule = EdgeRule{mark},
+    .rule = EdgeRule{mark_contour},
     .smooth_twin = &smooth_contour,
     .outlines = true,
     .usual = true,

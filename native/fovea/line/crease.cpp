@@ -27,7 +27,7 @@ struct Crease {
     bool sharp_marks;
 };
 
-const Parameters<Crease> parameters{
+const Parameters<Crease> crease_parameters{
     {&Crease::angle, "angle", "Angle", 30.0, 0.0, 180.0, Unit::degrees,
      "Least angle between the normals of the two faces", Per::object},
     {&Crease::sharp_marks, "sharp_marks", "Sharp Marks", true, "Draw edges marked sharp as creases, too"},
@@ -35,7 +35,7 @@ const Parameters<Crease> parameters{
      "Least length of a crease that touches no edge marked sharp, in sizes of the features, on surfaces that are "
      "not hard"}};
 
-void mark(const SurfaceView& seen, const Crease& values, Kinds bit, Array<Kinds>& kinds) {
+void mark_crease(const SurfaceView& seen, const Crease& values, Kinds bit, Array<Kinds>& kinds) {
     const Surface& surface = seen.surface;
     const double limit = cosine(glm::radians(values.angle));
     const Shape shape = field::shape_of(surface);
@@ -81,8 +81,8 @@ extern const LineDefinition crease = {
     .description = "Where two faces meet at an angle, and edges marked sharp",
     .scope = Scope::surface,
     .importance = 0.5,
-    .parameters = parameters,
-    .rule = EdgeRule{parameters.of(mark)},
+    .parameters = crease_parameters,
+    .rule = EdgeRule{crease_parameters.of(mark_crease)},
     .usual = true,
 };
 

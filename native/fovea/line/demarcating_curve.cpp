@@ -13,7 +13,7 @@
 namespace fovea::line {
 namespace {
 
-const auto parameters = threshold_parameters<ThresholdValues>(
+const auto demarcating_curve_parameters = threshold_parameters<ThresholdValues>(
     0.01, 0.5, 2.0, "Change of curvature that a line reaches somewhere, in units of 1 / feature size squared");
 
 constexpr float least_cosine = 0.70710678f;
@@ -49,7 +49,7 @@ bool agree(const Fields& fields, const Triangle& t, Corner (&corners)[3]) {
            glm::dot(corners[2].along, corners[0].along) > least_cosine;
 }
 
-Curves find(const SurfaceView& seen, const ThresholdValues& values) {
+Curves find_demarcating_curve(const SurfaceView& seen, const ThresholdValues& values) {
     const Surface& surface = seen.surface;
     const auto fields = fields_of(surface);
     const Thresholds thresholds(surface, values, 2);
@@ -79,8 +79,8 @@ extern const LineDefinition demarcating_curve = {
     .description = "Where a valley turns into a ridge: inflections of the strongest change of curvature",
     .scope = Scope::surface,
     .importance = 0.25,
-    .parameters = parameters,
-    .rule = feature_rule(parameters, 2, find),
+    .parameters = demarcating_curve_parameters,
+    .rule = feature_rule(demarcating_curve_parameters, 2, find_demarcating_curve),
     .of_smooth = true,
 };
 

@@ -10,10 +10,10 @@ struct EdgeMark {
     bool seams;
 };
 
-const Parameters<EdgeMark> parameters{
+const Parameters<EdgeMark> edge_mark_parameters{
     {&EdgeMark::seams, "seams", "Seams", false, "Draw edges marked as UV seams, too"}};
 
-void mark(const SurfaceView& seen, const EdgeMark& values, Kinds bit, Array<Kinds>& kinds) {
+void mark_marked(const SurfaceView& seen, const EdgeMark& values, Kinds bit, Array<Kinds>& kinds) {
     const Surface& surface = seen.surface;
     const int wanted = mark_edge | (values.seams ? mark_seam : 0);
     mark_edges(surface.mesh_edges, bit, kinds,
@@ -29,8 +29,8 @@ extern const LineDefinition edge_mark = {
     .description = "Edges marked by hand (Freestyle edge marks)",
     .scope = Scope::surface,
     .importance = 0.65,
-    .parameters = parameters,
-    .rule = EdgeRule{parameters.of(mark)},
+    .parameters = edge_mark_parameters,
+    .rule = EdgeRule{edge_mark_parameters.of(mark_marked)},
     .reads_edge_marks = true,
     .usual = true,
 };

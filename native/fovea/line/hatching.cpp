@@ -36,7 +36,7 @@ struct Hatching {
     double tone(int family) const { return family == 0 ? light : family == 1 ? middle : dark; }
 };
 
-const Parameters<Hatching> parameters{
+const Parameters<Hatching> hatching_parameters{
     {&Hatching::spacing, "spacing", "Spacing", 7.0, 1.0, 200.0, Unit::pixels,
      "Distance between the lines on paper, within a factor of 1.41"},
     {&Hatching::families, "families", "Families", 2, 1, 3,
@@ -65,7 +65,7 @@ const Parameters<Hatching> parameters{
 
 /// Steps along lines at which light is looked for [reference px], at most so many, and the precision of ends [px].
 constexpr double step_reference_px = 4.0, end_px = 1.0 / 64.0;
-constexpr int most_steps = 512;
+constexpr int most_light_steps = 512;
 /// Where the light changes amid a line, its strength does within so much [px].
 constexpr double ramp_px = 1.0;
 
@@ -353,7 +353,7 @@ class Hatcher {
             if (x == 0.0 || x == 1.0) return x == 0.0 ? from : to;
             return glm::mix(from, to, view_.orthographic ? x : share_in_space(x, near, far));
         };
-        const int steps = steps_of(length / step_px_, most_steps);
+        const int steps = steps_of(length / step_px_, most_light_steps);
         const double ramp = ramp_px / std::max(length, ramp_px), precision = end_px / std::max(length, end_px);
 
         std::vector<Node> line;
@@ -452,7 +452,7 @@ class Hatcher {
     std::shared_ptr<const Bodies> bodies_;
 };
 
-Curves find(const SurfaceView& seen, const Hatching& values) {
+Curves find_hatching(const SurfaceView& seen, const Hatching& values) {
     const auto make = [&] { return Tone(*seen.tracer, values.lights, values.shadows); };
     const auto tone = seen.shared ? seen.shared->get<Tone>(hash_numbers(values.lights, values.shadows), make)
                                   : std::make_shared<const Tone>(make());
@@ -474,8 +474,8 @@ extern const LineDefinition hatching = {
     .description = "Parallel curves over what lies in the dark, crossed where it is darker",
     .scope = Scope::scene,
     .importance = 0.05,
-    .parameters = parameters,
-    .rule = CurveRule{CurveType::tone, parameters.of(find)},
+    .parameters = hatching_parameters,
+    .rule = CurveRule{CurveType::tone, hatching_parameters.of(find_hatching)},
 };
 
 }  // namespace fovea::line

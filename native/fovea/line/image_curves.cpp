@@ -15,7 +15,7 @@ namespace {
 
 /// Border of the lattice beyond the frame's margin, in steps: room for filters. Also the search radius below.
 constexpr int reach = 8;
-constexpr double least_length = 5.0 * steps_per_sigma;
+constexpr double least_curve_length = 5.0 * steps_per_sigma;
 
 std::uint64_t bits_of(double value) { return std::bit_cast<std::uint64_t>(value); }
 
@@ -116,7 +116,7 @@ Curves lift(const FrameView& frame, const ShadedBuffer& shaded, const Curves& pi
     const View& view = frame.tracer.view();
     const dmat4 clip_to_view = glm::inverse(view.view_to_clip);
     Curves lifted;
-    for (CurvePiece piece : keep_strong(pieces, least_length)) {
+    for (CurvePiece piece : keep_strong(pieces, least_curve_length)) {
         bool drawn = true;
         for (vec3& point : piece.point) {
             const Index node = nearest_surface(shaded, point);

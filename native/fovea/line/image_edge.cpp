@@ -10,7 +10,8 @@
 namespace fovea::line {
 namespace {
 
-const auto parameters = image_parameters<ImageValues>(0.3, "Contrast of a sharp edge from which lines are drawn", 2.0);
+const auto image_edge_parameters =
+    image_parameters<ImageValues>(0.3, "Contrast of a sharp edge from which lines are drawn", 2.0);
 
 /// Tone of the background: brighter than white, so that the outline of white surfaces has full contrast, too.
 constexpr double beyond_white = 2.0;
@@ -21,7 +22,7 @@ struct Node {
     float contrast;  // height of the step edge that has this slope after smoothing
 };
 
-Curves find(const FrameView& frame, const ImageValues& values) {
+Curves find_image_edge(const FrameView& frame, const ImageValues& values) {
     const auto tone = smooth_tone(frame, values, beyond_white);
     const auto per_slope = static_cast<float>(std::sqrt(2.0 * std::numbers::pi) * steps_per_sigma);
     const Array<Node> nodes = per_node<Node>(tone->lattice(), [&](int x, int y) {
@@ -46,8 +47,8 @@ extern const LineDefinition image_edge = {
     .description = "Where the tone of the shaded scene changes fastest",
     .scope = Scope::scene,
     .importance = 0.25,
-    .parameters = parameters,
-    .rule = ImageRule{parameters.of(find)},
+    .parameters = image_edge_parameters,
+    .rule = ImageRule{image_edge_parameters.of(find_image_edge)},
     .slow = true,
 };
 

@@ -29,7 +29,7 @@ struct Intersection {
     bool between, within;
 };
 
-const Parameters<Intersection> parameters{
+const Parameters<Intersection> intersection_parameters{
     {&Intersection::between, "between", "Between Objects", true, "Where two objects pass through each other"},
     {&Intersection::within, "within", "Within Objects", true, "Where an object passes through itself"}};
 
@@ -224,7 +224,8 @@ std::vector<const Surface*> surfaces_of(const Scene& scene, In<Index> placements
     return found;
 }
 
-std::vector<SceneCurves> find(const Scene& scene, In<Index> drawn, const Intersection& values, const Cancel& cancel) {
+std::vector<SceneCurves> find_intersection(const Scene& scene, In<Index> drawn, const Intersection& values,
+                                           const Cancel& cancel) {
     std::vector<const Surface*> surfaces;
     std::vector<Pair> pairs;
     if (values.within) surfaces = surfaces_of(scene, drawn);
@@ -262,8 +263,8 @@ extern const LineDefinition intersection = {
     .description = "Where surfaces pass through each other; not where they only touch",
     .scope = Scope::placements,
     .importance = 0.4,
-    .parameters = parameters,
-    .rule = SceneRule{parameters.of(find), parameters.of(find_ahead)},
+    .parameters = intersection_parameters,
+    .rule = SceneRule{intersection_parameters.of(find_intersection), intersection_parameters.of(find_ahead)},
     .usual = true,
 };
 

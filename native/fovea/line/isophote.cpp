@@ -12,10 +12,10 @@ struct Isophote {
     int count;
 };
 
-const Parameters<Isophote> parameters{{&Isophote::count, "count", "Count", 10, 1, 100,
-                                       "How many lines from the contour, left out, to what faces the viewer"}};
+const Parameters<Isophote> isophote_parameters{{&Isophote::count, "count", "Count", 10, 1, 100,
+                                                "How many lines from the contour, left out, to what faces the viewer"}};
 
-Curves find(const SurfaceView& seen, const Isophote& values) {
+Curves find_isophote(const SurfaceView& seen, const Isophote& values) {
     const auto fields = fields_of(seen.surface);
     const int count = std::max(1, values.count);
     const auto sample = [&](Index v) { return see_vertex(seen, fields->curvature[v], v).facing; };
@@ -33,8 +33,8 @@ extern const LineDefinition isophote = {
     .description = "Lines of equal shading by a lamp at the eye",
     .scope = Scope::view,
     .importance = 0.1,
-    .parameters = parameters,
-    .rule = CurveRule{CurveType::level_set, parameters.of(find)},
+    .parameters = isophote_parameters,
+    .rule = CurveRule{CurveType::level_set, isophote_parameters.of(find_isophote)},
     .slow = true,
 };
 

@@ -9,10 +9,10 @@
 namespace fovea::line {
 namespace {
 
-const auto parameters = threshold_parameters<ThresholdValues>(
+const auto laplacian_line_parameters = threshold_parameters<ThresholdValues>(
     0.05, 0.5, 2.0, "How quickly shading changes, that a line reaches somewhere, relative to the size of the features");
 
-Curves find(const SurfaceView& seen, const ThresholdValues& values) {
+Curves find_laplacian_line(const SurfaceView& seen, const ThresholdValues& values) {
     const Thresholds thresholds(seen.surface, values, 1);
     const auto value = [](const Curvature& c, const SeenOf<float>& s) { return laplacian(c, s); };
     const auto margin = [&](const Curvature& c, const SeenOf<float>& s) {
@@ -34,8 +34,8 @@ extern const LineDefinition laplacian_line = {
     .description = "Where shading by a lamp at the eye turns from bright to dark most quickly",
     .scope = Scope::view,
     .importance = 0.25,
-    .parameters = parameters,
-    .rule = feature_rule(parameters, 1, find),
+    .parameters = laplacian_line_parameters,
+    .rule = feature_rule(laplacian_line_parameters, 1, find_laplacian_line),
     .of_smooth = true,
 };
 

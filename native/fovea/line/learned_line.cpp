@@ -13,7 +13,7 @@ struct LearnedLine {
     double threshold, low, sigma;
 };
 
-const Parameters<LearnedLine> parameters = {
+const Parameters<LearnedLine> learned_line_parameters = {
     {&LearnedLine::threshold, "threshold", "Threshold", 1.0, 0.1, 4.0, Unit::none,
      "Likelihood from which lines are drawn, as a multiple of the model's own threshold"},
     {&LearnedLine::low, "low", "Low", 0.5, 0.0, 1.0, Unit::none,
@@ -26,7 +26,7 @@ const Parameters<LearnedLine> parameters = {
 /// Bend over the smoothing's width, as a share of the likelihood, below which a crest is too flat for a line.
 constexpr float least_bend = 0.02f;
 
-Curves find(const FrameView& frame, const LearnedLine& values, const Likelihood& likelihood) {
+Curves find_learned_line(const FrameView& frame, const LearnedLine& values, const Likelihood& likelihood) {
     const ImageValues as_image{.threshold = values.threshold * likelihood.threshold(),
                                .low = values.low,
                                .sigma = values.sigma,
@@ -53,11 +53,11 @@ extern const LineDefinition learned_line = {
     .description = "Where an artist would draw lines, by a model that has learned it from drawings",
     .scope = Scope::scene,
     .importance = 0.5,
-    .parameters = parameters,
+    .parameters = learned_line_parameters,
     .file = FileParameter{"model", "Model", ".json", "The file of the model, as fovea learn writes it"},
     .rule = ImageRule{[](const FrameView& frame, const Values& values) {
         const auto* likelihood = dynamic_cast<const Likelihood*>(values.file.get());
-        return likelihood ? find(frame, parameters.read(values), *likelihood) : Curves();
+        return likelihood ? find_learned_line(frame, learned_line_parameters.read(values), *likelihood) : Curves();
     }},
     .slow = true,
 };

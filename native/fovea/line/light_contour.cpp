@@ -23,7 +23,7 @@ struct LightContour {
     int lights;
 };
 
-const Parameters<LightContour> parameters{
+const Parameters<LightContour> light_contour_parameters{
     {&LightContour::lights, "lights", "Lights", 4, 0, 64,
      "How many lights have lines, those that are strongest amid the scene first"}};
 
@@ -149,7 +149,8 @@ Curves in_light(const LightEye& eye, const Curves& pieces, Index placement, bool
     });
 }
 
-std::vector<SceneCurves> find(const Scene& scene, In<Index> drawn, const LightContour& values, const Cancel& cancel) {
+std::vector<SceneCurves> find_light_contour(const Scene& scene, In<Index> drawn, const LightContour& values,
+                                            const Cancel& cancel) {
     std::vector<SceneCurves> found;
     for (const Light& light : casting_lights(scene, std::size_t(values.lights), false)) {
         const LightEye eye(scene, light);
@@ -178,8 +179,9 @@ extern const LineDefinition light_contour = {
     .description = "Where the lit side of surfaces ends: their contours as the lights of the scene see them",
     .scope = Scope::placements,
     .importance = 0.4,
-    .parameters = parameters,
-    .rule = SceneRule{parameters.of(find), [](const Surface&, const Values&, const Cancel&) {}},
+    .parameters = light_contour_parameters,
+    .rule =
+        SceneRule{light_contour_parameters.of(find_light_contour), [](const Surface&, const Values&, const Cancel&) {}},
     .usual = true,
     .shade = Shade::attached,
 };

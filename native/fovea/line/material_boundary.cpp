@@ -8,7 +8,7 @@
 namespace fovea::line {
 namespace {
 
-void mark(const SurfaceView& seen, const Values&, Kinds bit, Array<Kinds>& kinds) {
+void mark_material_boundary(const SurfaceView& seen, const Values&, Kinds bit, Array<Kinds>& kinds) {
     const Surface& surface = seen.surface;
     mark_edges(surface.mesh_edges, bit, kinds, [&](Index e) {
         const In<EdgeSide> sides = surface.sides(e);
@@ -26,7 +26,7 @@ extern const LineDefinition material_boundary = {
     .description = "Where two materials meet on a surface",
     .scope = Scope::surface,
     .importance = 0.4,
-    .rule = EdgeRule{mark},
+    .rule = EdgeRule{mark_material_boundary},
     .usual = true,
 };
 

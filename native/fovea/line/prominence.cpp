@@ -9,9 +9,9 @@
 namespace fovea::line {
 namespace {
 
-constexpr double turn = 0.5;       // radians of a circle of the crest's curvature
-constexpr double least_edges = 2;  // longest sides of the crest's triangle
-constexpr int most_steps = 256;    // triangles on the way
+constexpr double turn = 0.5;         // radians of a circle of the crest's curvature
+constexpr double least_edges = 2;    // longest sides of the crest's triangle
+constexpr int most_triangles = 256;  // triangles on the way
 
 /// Straight geodesics on a surface (Polthier & Schmies, "Straightest Geodesics on Polyhedral Surfaces", 1998).
 class Walk {
@@ -25,7 +25,7 @@ class Walk {
     std::optional<double> value_at(Index triangle, dvec3 from, dvec3 along, double distance, const Value& value) const {
         along = glm::normalize(along);
         Index entered = none;
-        for (int step = 0; step < most_steps; ++step) {
+        for (int step = 0; step < most_triangles; ++step) {
             const Triangle& t = surface_.triangles[triangle];
             const dvec3 p[3] = {corner(t.x), corner(t.y), corner(t.z)};
             const dvec3 normal = glm::cross(p[1] - p[0], p[2] - p[0]);

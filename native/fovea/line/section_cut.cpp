@@ -9,7 +9,7 @@
 namespace fovea::line {
 namespace {
 
-std::vector<SceneCurves> find(const Scene& scene, In<Index> drawn, const Values&, const Cancel& cancel) {
+std::vector<SceneCurves> find_section_cut(const Scene& scene, In<Index> drawn, const Values&, const Cancel& cancel) {
     std::vector<SceneCurves> found;
     const auto always = [](auto) { return 1.0f; };
     for (const Index i : drawn) {
@@ -35,7 +35,8 @@ extern const LineDefinition section_cut = {
     .description = "Where the section plane of the scene cuts surfaces",
     .scope = Scope::placements,
     .importance = 1.0,
-    .rule = SceneRule{find, [](const Surface& surface, const Values&, const Cancel&) { triangle_sides(surface); }},
+    .rule = SceneRule{find_section_cut,
+                      [](const Surface& surface, const Values&, const Cancel&) { triangle_sides(surface); }},
     .in_section = true,
     .usual = true,
 };

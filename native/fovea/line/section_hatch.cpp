@@ -19,10 +19,10 @@ struct SectionHatch {
     double angle, spacing;
 };
 
-const Parameters<SectionHatch> parameters{{&SectionHatch::angle, "angle", "Angle", 45.0, -90.0, 90.0, Unit::degrees,
-                                           "Direction of the lines, from the horizontal"},
-                                          {&SectionHatch::spacing, "spacing", "Spacing", 2.0, 0.1, 100.0,
-                                           Unit::millimeters, "Distance between the lines, on paper"}};
+const Parameters<SectionHatch> section_hatch_parameters{{&SectionHatch::angle, "angle", "Angle", 45.0, -90.0, 90.0,
+                                                         Unit::degrees, "Direction of the lines, from the horizontal"},
+                                                        {&SectionHatch::spacing, "spacing", "Spacing", 2.0, 0.1, 100.0,
+                                                         Unit::millimeters, "Distance between the lines, on paper"}};
 
 /// Narrowest spacing of lines [px]: closer ones are a tone.
 constexpr double least_px = 0.5;
@@ -45,7 +45,7 @@ class OnPlane {
     dvec4 plane_;
 };
 
-Curves find(const FrameView& frame, const SectionHatch& values) {
+Curves find_section_hatch(const FrameView& frame, const SectionHatch& values) {
     const View& view = frame.tracer.view();
     const Scene& scene = frame.tracer.scene();
     const Array<SectionSide> outline = section_sides(scene, view);
@@ -97,8 +97,8 @@ extern const LineDefinition section_hatch = {
     .description = "Parallel lines on the inside of what the section plane cuts",
     .scope = Scope::scene,
     .importance = 0.05,
-    .parameters = parameters,
-    .rule = ImageRule{parameters.of(find)},
+    .parameters = section_hatch_parameters,
+    .rule = ImageRule{section_hatch_parameters.of(find_section_hatch)},
     .ends_at_lines = true,
     .usual = true,
 };

@@ -14,7 +14,7 @@ constexpr double finest = 0x1p-20, nearest = 0x1p-14;
 /// Shortest step of an endless segment, as a share of it, that numbers tell from none.
 constexpr double least_share = 0x1p-50;
 /// How often it is looked where what was met ends, before steps are halved: there may be many small triangles.
-constexpr int most_looks = 8;
+constexpr int most_end_looks = 8;
 
 class Shadow {
    public:
@@ -36,7 +36,7 @@ class Shadow {
         At before = at(0.0);
         for (int i = 1; i <= steps; ++i) {
             const At next = at(double(i) / steps);
-            trace(before, next, most_looks);
+            trace(before, next, most_end_looks);
             before = next;
         }
     }

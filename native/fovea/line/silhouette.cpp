@@ -67,7 +67,7 @@ class Beyond {
     const bool mirrored_;
 };
 
-void mark(const SurfaceView& seen, const Values& values, Kinds bit, Array<Kinds>& kinds) {
+void mark_silhouette(const SurfaceView& seen, const Values& values, Kinds bit, Array<Kinds>& kinds) {
     Array<Kinds> candidates(seen.surface.edges.size(), 0);
     std::get<EdgeRule>(contour.rule).mark(seen, values, 1, candidates);
     std::get<EdgeRule>(border.rule).mark(seen, without_loose, 1, candidates);
@@ -85,7 +85,7 @@ extern const LineDefinition silhouette = {
         "The outer boundary of an object, against the background or another object. Freestyle calls it Contour",
     .scope = Scope::scene,
     .importance = outline_importance,
-    .rule = EdgeRule{mark, &contour},
+    .rule = EdgeRule{mark_silhouette, &contour},
     .smooth_twin = &smooth_silhouette,
     .slow = true,
     .stand_ins = {{&contour}, {&border, {{"loose", 0.0}}}},

@@ -20,8 +20,9 @@ struct SmoothContour {
     bool end_at_cusps;
 };
 
-const Parameters<SmoothContour> parameters{{&SmoothContour::end_at_cusps, "end_at_cusps", "End at Cusps", true,
-                                            "Leave out what a closed surface hides of its own contour behind a cusp"}};
+const Parameters<SmoothContour> smooth_contour_parameters{
+    {&SmoothContour::end_at_cusps, "end_at_cusps", "End at Cusps", true,
+     "Leave out what a closed surface hides of its own contour behind a cusp"}};
 
 /// Increase of strength per radial curvature times feature size. Strength is clamped to (0, 1], so that noise in the
 /// sign does not break a contour.
@@ -49,12 +50,12 @@ std::shared_ptr<const Array<std::uint8_t>> hides_its_own(const Surface& surface)
     return found->vertices.empty() ? nullptr : std::shared_ptr<const Array<std::uint8_t>>(found, &found->vertices);
 }
 
-Curves find(const SurfaceView& seen, const SmoothContour& values) {
+Curves find_to_cusps(const SurfaceView& seen, const SmoothContour& values) {
     if (!values.end_at_cusps) return find_smooth_contour(seen, [](Index) { return 1.0f; });
     return find_smooth_contour(seen, CuspStrength(seen));
 }
 
-Selection select(const Surface& surface, const SmoothContour& values) {
+Selection select_smooth_contour(const Surface& surface, const SmoothContour& values) {
     if (!values.end_at_cusps || !hides_its_own(surface)) return {};
     return {.level = at_cusp, .depth = surely, .reach = at_cusp + surely, .uniform = true};
 }
@@ -79,8 +80,9 @@ extern const LineDefinition smooth_contour = {
     .description = "The contour of the smooth surface that a mesh stands for, across its faces",
     .scope = Scope::view,
     .importance = outline_importance,
-    .parameters = parameters,
-    .rule = CurveRule{CurveType::contour, parameters.of(find), parameters.of(select)},
+    .parameters = smooth_contour_parameters,
+    .rule = CurveRule{CurveType::contour, smooth_contour_parameters.of(find_to_cusps),
+                      smooth_contour_parameters.of(select_smooth_contour)},
     .outlines = true,
     .usual = true,
     .of_smooth = true,

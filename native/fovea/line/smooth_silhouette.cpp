@@ -19,7 +19,7 @@ bool is_outer(const SurfaceView& seen, const CurvePiece& piece) {
     return seen.ends_at(point, own);
 }
 
-Curves find(const SurfaceView& seen, const Values&) {
+Curves find_smooth_silhouette(const SurfaceView& seen, const Values&) {
     Curves pieces = find_smooth_contour(seen, CuspStrength(seen));
     parallel_for(pieces.size(), 64, [&](std::size_t i) {
         const bool hidden = std::min(pieces[i].strength[0], pieces[i].strength[1]) < at_cusp - surely;
@@ -31,7 +31,7 @@ Curves find(const SurfaceView& seen, const Values&) {
 
 /// Cuts at whole segments where strength, smoothed along the contour (path/smooth.h), is below 0.5: single wrong rays
 /// are outvoted.
-Selection select(const Surface&, const Values&) {
+Selection select_smooth_silhouette(const Surface&, const Values&) {
     return {.level = 0.5f, .reach = 0.5f, .whole = true, .uniform = true};
 }
 
@@ -47,7 +47,7 @@ extern const LineDefinition smooth_silhouette = {
         "against the background or another object",
     .scope = Scope::scene,
     .importance = outline_importance,
-    .rule = CurveRule{CurveType::contour, find, select, &smooth_contour},
+    .rule = CurveRule{CurveType::contour, find_smooth_silhouette, select_smooth_silhouette, &smooth_contour},
     .slow = true,
     .stand_ins = {{&smooth_contour, {{"end_at_cusps", 0.0}}}},
     .of_smooth = true,

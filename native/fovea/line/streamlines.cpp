@@ -19,7 +19,7 @@ namespace {
 
 /// In shares of the distance between curves: where a curve begins, others are at least so far away; where they come
 /// nearer, it ends; shorter ones are not drawn; places at which distances are looked at are at most so far apart.
-constexpr double beginning = 0.85, ending = 0.55, least_length = 2.0, step = 0.25;
+constexpr double beginning = 0.85, ending = 0.55, least_streamline = 2.0, step = 0.25;
 /// Parts of one curve that are farther apart along it, in the same unit, must not come near each other, either.
 constexpr double own = 3.0;
 /// Squares, as wide as curves are apart, on a surface at most.
@@ -365,7 +365,7 @@ class Grower {
             {seed.triangle, {curve.curve, power_, {vec3(ends[0].weight), vec3(ends[1].weight)}, {sides[0], sides[1]}}});
         if (sides[1] >= 0) grow(curve, ends[1], sides[1], along, lengths[1], 1.0);
         if (sides[0] >= 0 && !curve.closed) grow(curve, ends[0], sides[0], -along, lengths[0], -1.0);
-        if (curve.length < least_length * apart_) {
+        if (curve.length < least_streamline * apart_) {
             dropped_[curve.curve] = 1;
             return;
         }

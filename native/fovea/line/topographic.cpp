@@ -12,10 +12,10 @@ struct Topographic {
     int count;
 };
 
-const Parameters<Topographic> parameters{
+const Parameters<Topographic> topographic_parameters{
     {&Topographic::count, "count", "Count", 20, 1, 200, "How many lines over the depth of the object"}};
 
-Curves find(const SurfaceView& seen, const Topographic& values) {
+Curves find_topographic(const SurfaceView& seen, const Topographic& values) {
     const dmat4& m = seen.object_to_view;
     const auto depth_of = [&](const vec3& p) { return -(m * dvec4(dvec3(p), 1.0)).z; };
     const auto sample = [&](Index v) { return static_cast<float>(depth_of(seen.surface.positions[v])); };
@@ -43,8 +43,8 @@ extern const LineDefinition topographic = {
     .description = "Lines of equal distance along the view, like those of a map",
     .scope = Scope::view,
     .importance = 0.1,
-    .parameters = parameters,
-    .rule = CurveRule{CurveType::level_set, parameters.of(find)},
+    .parameters = topographic_parameters,
+    .rule = CurveRule{CurveType::level_set, topographic_parameters.of(find_topographic)},
     .slow = true,
 };
 
