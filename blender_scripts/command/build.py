@@ -13,7 +13,7 @@ from .target import PROJECT, YIELDING
 
 def build(target, goal="_native", sanitize=False):
     """Builds a CMake target (`_native` or `fovea_tests`); returns the build folder. With sanitizers it yields to what
-    runs beside it: no other part of the tests waits for it."""
+    runs beside it."""
     folder = target.work / ("sanitize" if sanitize else "release")
     with target.lock():
         kind = " with sanitizers" if sanitize else ""
