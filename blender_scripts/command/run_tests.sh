@@ -70,13 +70,13 @@ test_suites() {
         wait_for "$suite" && ready="$ready $suite" || broken="$broken $suite"
     done
     [ -n "$ready" ] || fail "neither suite could be set up"
-    # Native tests run as they are on the first suite, and under sanitizers on the last, whose sanitizers see more. Most
-    # parts take one core, and one after the other they would leave the rest idle where a suite is the last to end.
+    # Native tests run as they are on the first suite, and under sanitizers on the last, whose sanitizers see more, and
+    # which has more to do then.
     for suite in $ready; do
-        without=sanitize
-        [ "$suite" != "${ready##* }" ] || without=native
+        without=sanitize parts_at_once=1
+        [ "$suite" != "${ready##* }" ] || without=native parts_at_once=2
         [ "$suite" != "${ready# }" ] || without=none
-        (use_suite "$suite" && test_target "$without" 2 "$@") &
+        (use_suite "$suite" && test_target "$without" "$parts_at_once" "$@") &
         eval "child_$suite=$!"
     done
     for suite in $ready; do
