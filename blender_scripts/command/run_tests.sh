@@ -70,8 +70,8 @@ test_suites() {
         wait_for "$suite" && ready="$ready $suite" || broken="$broken $suite"
     done
     [ -n "$ready" ] || fail "neither suite could be set up"
-    # Native tests run as they are on the first suite, and under sanitizers on the last, whose sanitizers see more, and
-    # which has more to do then.
+    # Native tests run as they are on the first suite, and under sanitizers on the last, whose sanitizers see more: that
+    # comes last there, and takes what the rest leaves of all cores.
     for suite in $ready; do
         without=sanitize parts_at_once=1
         [ "$suite" != "${ready##* }" ] || without=native parts_at_once=2
