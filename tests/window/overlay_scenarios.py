@@ -89,6 +89,7 @@ def rendered(folder, spec="office"):
 
     overlay._Shown.update, reading.Reader.read = update, counted
     yield from screen.rest(4)
+    yield from screen.until(lambda: scales and scales[-1][0] == 1)  # on however slow a machine
     screen.swap()
     np.save(folder / "rendered.npy", screen.picture())
     (finest, _), scales[:] = scales[-1], []
@@ -101,7 +102,7 @@ def rendered(folder, spec="office"):
         yield
     np.save(folder / "turning.npy", screen.picture())
     coarse = {scale for scale, changed in scales if changed}
-    yield from screen.until(lambda: scales[-1] == (finest, False))
+    yield from screen.until(lambda: scales[-1][0] == finest)
     overlay._Shown.update, overlay.affordable = old, affordable
     told = {"rendered": len(reads)}
     space.shading.type = "SOLID"
