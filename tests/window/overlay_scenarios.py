@@ -103,6 +103,8 @@ def rendered(folder, spec="office"):
     np.save(folder / "turning.npy", screen.picture())
     coarse = {scale for scale, changed in scales if changed}
     yield from screen.until(lambda: scales[-1][0] == finest)
+    screen.swap()  # where all rests already, nothing else draws it again
+    yield from screen.until(lambda: scales[-1] == (finest, False))
     overlay._Shown.update, overlay.affordable = old, affordable
     told = {"rendered": len(reads)}
     space.shading.type = "SOLID"
