@@ -182,16 +182,21 @@ const char* type_name(const std::optional<T>&) {
     return type_name(T());
 }
 
+/// What is told of a member, but for the choices that it has. Not a template: there are hundreds of members.
+inline py::dict told(const char* name, const char* key, const char* label, const char* description, const char* group,
+                     const style::Domain& domain, const char* type, const py::object& value) {
+    return py::dict(
+        py::arg("name") = name, py::arg("key") = key, py::arg("label") = label, py::arg("description") = description,
+        py::arg("type") = type, py::arg("group") = group, py::arg("default") = value, py::arg("min") = domain.least,
+        py::arg("max") = domain.most, py::arg("soft_max") = domain.soft_most, py::arg("unit") = value_to(domain.unit),
+        py::arg("names") = value_to(domain.names), py::arg("most_letters") = style::most_letters(domain.names));
+}
+
 template <typename S, typename V>
 py::dict told(const style::Field<S, V>& field) {
-    const style::Domain& domain = field.domain;
     const V value = S().*field.member;
-    py::dict found(py::arg("name") = field.name, py::arg("key") = field.key(), py::arg("label") = field.label,
-                   py::arg("description") = field.description, py::arg("type") = type_name(value),
-                   py::arg("group") = field.group, py::arg("default") = value_to(value), py::arg("min") = domain.least,
-                   py::arg("max") = domain.most, py::arg("soft_max") = domain.soft_most,
-                   py::arg("unit") = value_to(domain.unit), py::arg("names") = value_to(domain.names),
-                   py::arg("most_letters") = style::most_letters(domain.names));
+    py::dict found = told(field.name, field.key(), field.label, field.description, field.group, field.domain,
+                          type_name(value), py::detail::object_or_cast(value_to(value)));
     if constexpr (std::is_enum_v<V>) found["choices"] = choices<V>();
     return found;
 }

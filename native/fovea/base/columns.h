@@ -3,15 +3,15 @@
 #pragma once
 
 #include <algorithm>
-#include <tuple>
 
 #include <fovea/base/check.h>
+#include <fovea/base/each_of.h>
 #include <fovea/base/parallel.h>
 
 namespace fovea::base {
 
-/// One array of a structure. Columns of equal length (one entry per path, say, or per point) form a group: a std::tuple
-/// of Columns, a static member of the structure.
+/// One array of a structure. Columns of equal length (one entry per path, say, or per point) form a group: each_of
+/// some Columns, a static member of the structure.
 template <typename Structure, typename Value>
 struct Column {
     const char* name;  ///< its name in scripts
@@ -22,7 +22,7 @@ struct Column {
 /// Calls visit(column) for each column of a group, in order.
 template <typename Columns, typename Visit>
 void for_each_column(const Columns& columns, const Visit& visit) {
-    std::apply([&](const auto&... column) { (visit(column), ...); }, columns);
+    columns(visit);
 }
 
 template <typename Structure, typename Columns>

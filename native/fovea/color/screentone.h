@@ -15,7 +15,7 @@ struct Screen {
 
     bool operator==(const Screen&) const = default;
 
-    static constexpr std::tuple fields{
+    static constexpr auto fields = each_of(
         style::Field{"dpi", &Screen::dpi, "Resolution", "Pixels per inch of the page, which is as high as the paper is",
                      style::number(50.0, 2400.0, 1200.0)},
         style::Field{"lines_per_inch", &Screen::lines_per_inch, "Screen", "Rows of dots per inch",
@@ -23,7 +23,7 @@ struct Screen {
         style::Field{"angle", &Screen::angle, "Screen Angle", "Of the rows of dots",
                      style::Domain{0.0, 90.0, 90.0, style::Unit::degrees}},
         style::Field{"threshold", &Screen::threshold, "Threshold",
-                     "Opacity from which a line is drawn: black, or white where it is light", style::share}};
+                     "Opacity from which a line is drawn: black, or white where it is light", style::share});
 };
 
 /// Height in pixels of a page of so many millimeters.

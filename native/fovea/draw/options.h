@@ -58,35 +58,28 @@ struct Options {
 
     static constexpr style::Domain length = style::number(0.0, 10000.0, 100.0);
     static constexpr style::Domain reach = style::number(0.001, 10000.0, 100.0);
-    static constexpr std::tuple fields{
+    static constexpr auto fields = each_of(
         style::Field{"visibility", &Options::visibility},
         style::Field{"sample_step", &Options::sample_step, "", "", style::number(0.01, 1000.0, 100.0)},
         style::Field{"depth_scale", &Options::depth_scale, "", "", style::number(1, 8, 3)},
         style::Field{"probes", &Options::probes, "", "", style::number(1, 16, 16)},
         style::Field{"layers", &Options::layers, "", "", style::number(1, 3, 3)},
-        style::Field{"gap", &Options::gap, "", "", length},
-        style::Field{"spur", &Options::spur, "", "", length},
+        style::Field{"gap", &Options::gap, "", "", length}, style::Field{"spur", &Options::spur, "", "", length},
         style::Field{"contour_spur", &Options::contour_spur, "", "", length},
-        style::Field{"fold", &Options::fold, "", "", length},
-        style::Field{"tip", &Options::tip, "", "", length},
-        style::Field{"dot", &Options::dot, "", "", length},
-        style::Field{"joint", &Options::joint, "", "", length},
-        style::Field{"fair", &Options::fair, "", "", length},
-        style::Field{"meet", &Options::meet, "", "", reach},
+        style::Field{"fold", &Options::fold, "", "", length}, style::Field{"tip", &Options::tip, "", "", length},
+        style::Field{"dot", &Options::dot, "", "", length}, style::Field{"joint", &Options::joint, "", "", length},
+        style::Field{"fair", &Options::fair, "", "", length}, style::Field{"meet", &Options::meet, "", "", reach},
         style::Field{"beside", &Options::beside, "", "", reach},
         style::Field{"least_hidden", &Options::least_hidden, "", "", length},
-        style::Field{"outlines", &Options::outlines},
-        style::Field{"all_paths", &Options::all_paths},
+        style::Field{"outlines", &Options::outlines}, style::Field{"all_paths", &Options::all_paths},
         style::Field{"focus_step", &Options::focus_step, "", "", style::number(1, 1000, 8)},
-        style::Field{"with_depth", &Options::with_depth},
-        style::Field{"with_focus", &Options::with_focus},
-        style::Field{"with_hidden", &Options::with_hidden},
-        style::Field{"with_line_sets", &Options::with_line_sets},
+        style::Field{"with_depth", &Options::with_depth}, style::Field{"with_focus", &Options::with_focus},
+        style::Field{"with_hidden", &Options::with_hidden}, style::Field{"with_line_sets", &Options::with_line_sets},
         style::Field{"with_line_depth", &Options::with_line_depth},
         style::Field{"with_line_vector", &Options::with_line_vector},
         style::Field{"with_line_id", &Options::with_line_id},
         style::Field{"boil_drawing", &Options::boil_drawing, "", "", style::number(0, 1000, 12)},
-        style::Field{"matte_ranks", &Options::matte_ranks, "", "", style::number(0, 16, 16)}};
+        style::Field{"matte_ranks", &Options::matte_ranks, "", "", style::number(0, 16, 16)});
 };
 
 }  // namespace fovea::draw

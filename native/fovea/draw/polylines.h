@@ -11,9 +11,9 @@ struct Polylines : CompactRuns {
     Array<Index> pen;
     Array<float> shown;
 
-    static constexpr std::tuple pen_columns{
+    static constexpr auto pen_columns = each_of(
         Column{"pen", &Polylines::pen, "(R,) uint32 of the style's pens, as Pens numbers them; 0xffffffff: none"},
-        Column{"shown", &Polylines::shown, "(R,) float32 in [0, 1] that elision leaves"}};
+        Column{"shown", &Polylines::shown, "(R,) float32 in [0, 1] that elision leaves"});
 };
 
 /// Lines before haloes and overshoot; runs a frame's steps up to thin(). `drawn`: as strokes draw them, with these, and

@@ -15,7 +15,7 @@ struct Bands {
     Array<vec2> px;
     Array<vec3> across, owner;
 
-    static constexpr std::tuple vertex_columns{
+    static constexpr auto vertex_columns = each_of(
         Column{"px", &Bands::px, "(V, 2) float32 pixels"},
         Column{
             "across", &Bands::across,
@@ -23,7 +23,7 @@ struct Bands {
             "the run's end is, from 0 at OwnBands::reach_px, or half way along the run, to 1 there; negative towards "
             "the start"},
         Column{"owner", &Bands::owner,
-               "(V, 3) float32: unit vector to the left of the way, and rank; the same for the corners of a triangle"}};
+               "(V, 3) float32: unit vector to the left of the way, and rank; the same for the corners of a triangle"});
 
     Array<glm::uvec3> triangles;
 };

@@ -16,7 +16,7 @@ struct OwnBands {
     Array<vec4> place, band, ends;
     Array<vec3> figure;
 
-    static constexpr std::tuple columns{
+    static constexpr auto columns = each_of(
         Column{"sample", &OwnBands::sample, "(D,) uint32 number of the sample in the atlas"},
         Column{"place", &OwnBands::place, "(D, 4) float32: pixel position, direction (unit length)"},
         Column{
@@ -27,7 +27,7 @@ struct OwnBands {
         Column{
             "figure", &OwnBands::figure,
             "(D, 3) float32: number of the run's figure (elision/figures.h), -1: none; weight in [0, 1] with which it "
-            "is thinned as a whole; pixels of the run, or, with that weight, of the figure"}};
+            "is thinned as a whole; pixels of the run, or, with that weight, of the figure"});
 
     /// Per rank: number of the figure of its run; -1: none. May be empty: there are no figures.
     Array<float> figure_of_rank;

@@ -30,7 +30,7 @@ struct Paths {
     Array<float> strength;
     Array<Index> other_facet;
 
-    static constexpr std::tuple path_columns{
+    static constexpr auto path_columns = each_of(
         Column{"closed", &Paths::closed, "(P,) uint8; a closed path repeats its first point at the end"},
         Column{"ids", &Paths::id,
                "(P,) uint64, from the object's persistent id and the lowest edge: stable over frames for static lines"},
@@ -40,8 +40,8 @@ struct Paths {
                "(P,) uint8: 1 where the start touches no other line, 2 where the end does not"},
         Column{"of_view", &Paths::of_view,
                "(P,) uint8: nonzero if the path depends on the view; 2: a contour whose ends are cusps; 3: one of many "
-               "that make a tone, which do not fold, and at which others do not go on"}};
-    static constexpr std::tuple point_columns{
+               "that make a tone, which do not fold, and at which others do not go on"});
+    static constexpr auto point_columns = each_of(
         Column{"points_obj", &Paths::points_obj, "(N, 3) float32"},
         Column{
             "arc_obj", &Paths::arc_obj,
@@ -55,7 +55,7 @@ struct Paths {
         Column{"strength", &Paths::strength, "(N,) float32 in [0, 1]"},
         Column{"other_facet", &Paths::other_facet,
                "(N,) uint32 of a line on two surfaces: the second's facet over the scene; else 0xffffffff. May be "
-               "empty: no line lies on two"}};
+               "empty: no line lies on two"});
 
     Index count() const { return rows.count(); }
     Index other_facet_at(Index point) const { return point < other_facet.size() ? other_facet[point] : none; }

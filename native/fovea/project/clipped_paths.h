@@ -34,7 +34,7 @@ struct ClippedPaths {
     Array<Index> facet0, facet1;
     Array<Index> sample_start, sample_count;
 
-    static constexpr std::tuple piece_columns{
+    static constexpr auto piece_columns = each_of(
         Column{"path", &ClippedPaths::path, "(Q,) uint32 path it comes from"},
         Column{"closed", &ClippedPaths::closed,
                "(Q,) uint8: 1 where a whole closed path lies inside the frame (first and last point coincide)"},
@@ -46,8 +46,8 @@ struct ClippedPaths {
                "behind the near plane, or a million frames away, has no pixels and does not count"},
         Column{"ends", &ClippedPaths::ends,
                "(Q,) uint8: 1 starts, 2 ends with its path's end; 4 starts, 8 ends at a closed path's seam; else the "
-               "frame cuts it"}};
-    static constexpr std::tuple point_columns{
+               "frame cuts it"});
+    static constexpr auto point_columns = each_of(
         Column{"px", &ClippedPaths::px, "(M, 2) float32 pixels"},
         Column{"depth", &ClippedPaths::depth,
                "(M,) float32, reversed and screen-linear (base/view.h); before_all where nothing hides the path"},
@@ -64,7 +64,7 @@ struct ClippedPaths {
             "sample_start", &ClippedPaths::sample_start,
             "(M,) uint32: the segment from this point has the samples sample_start .. sample_start + sample_count of "
             "the atlas; sample j lies at its screen fraction (j + 0.5) / sample_count"},
-        Column{"sample_count", &ClippedPaths::sample_count, "(M,) uint32, 0 at the end of a piece"}};
+        Column{"sample_count", &ClippedPaths::sample_count, "(M,) uint32, 0 at the end of a piece"});
 
     /// Number of samples in the atlas.
     Index samples = 0;

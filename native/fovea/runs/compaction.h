@@ -21,17 +21,17 @@ struct CompactRuns {
     Array<float> strength;
     Array<Kinds> kinds;
 
-    static constexpr std::tuple run_columns{
-        Column{"path_id", &CompactRuns::path_id, "(R,) uint64 persistent id of the path"},
-        Column{"path", &CompactRuns::path, "(R,) uint32 path of Paths"},
-        Column{"piece", &CompactRuns::piece, "(R,) uint32 piece of ClippedPaths"},
-        Column{"start_px", &CompactRuns::start_px, "(R,) float64 arc length in pixels, 0 at the path's middle"},
-        Column{"end_px", &CompactRuns::end_px, "(R,) float64"},
-        Column{"invisibility", &CompactRuns::invisibility, "(R,) uint8 surfaces that hide it; 0: visible"},
-        Column{"line_set", &CompactRuns::line_set, "(R,) uint8"},
-        Column{"closed", &CompactRuns::closed,
-               "(R,) uint8, 1: all of a closed piece; the last point is the first again"}};
-    static constexpr std::tuple point_columns{
+    static constexpr auto run_columns =
+        each_of(Column{"path_id", &CompactRuns::path_id, "(R,) uint64 persistent id of the path"},
+                Column{"path", &CompactRuns::path, "(R,) uint32 path of Paths"},
+                Column{"piece", &CompactRuns::piece, "(R,) uint32 piece of ClippedPaths"},
+                Column{"start_px", &CompactRuns::start_px, "(R,) float64 arc length in pixels, 0 at the path's middle"},
+                Column{"end_px", &CompactRuns::end_px, "(R,) float64"},
+                Column{"invisibility", &CompactRuns::invisibility, "(R,) uint8 surfaces that hide it; 0: visible"},
+                Column{"line_set", &CompactRuns::line_set, "(R,) uint8"},
+                Column{"closed", &CompactRuns::closed,
+                       "(R,) uint8, 1: all of a closed piece; the last point is the first again"});
+    static constexpr auto point_columns = each_of(
         Column{"px", &CompactRuns::px, "(M, 2) float32 pixels, from the lower left corner, y up"},
         Column{"position_view", &CompactRuns::position_view,
                "(M, 3) float32 view space: the eye at 0, looking along -z"},
@@ -39,7 +39,7 @@ struct CompactRuns {
         Column{"strength", &CompactRuns::strength, "(M,) float32 in [0, 1]"},
         Column{"kinds", &CompactRuns::kinds,
                "(M,) uint32 bits of what the segment from the point is, of the last point what that before it is; see "
-               "line_definitions()"}};
+               "line_definitions()"});
 };
 
 /// The points of the paths within each run, and its two ends: pixel positions are interpolated linearly in the image,

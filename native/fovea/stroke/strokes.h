@@ -19,7 +19,7 @@ struct Strokes {
     Array<Index> pen, piece;
     Array<vec3> color;
 
-    static constexpr std::tuple vertex_columns{
+    static constexpr auto vertex_columns = each_of(
         Column{"px", &Strokes::px, "(V, 2) float32 corner of the strip, pixels"},
         Column{
             "arc", &Strokes::arc,
@@ -42,7 +42,7 @@ struct Strokes {
                "otherwise"},
         Column{"color", &Strokes::color,
                "(V, 3) float32 scene-linear color before the second one, where a pen takes it from surfaces; else it "
-               "is empty, and colors are those of the pens"}};
+               "is empty, and colors are those of the pens"});
 
     /// Vertices of each triangle, in either winding, in drawing order: stroke by stroke, along each stroke.
     Array<glm::uvec3> triangles;

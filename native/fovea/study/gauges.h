@@ -22,11 +22,11 @@ struct GaugePlaces {
     Array<Index> placement;
     Array<dvec3> normal;  ///< as gauges show it; zero where there is none
 
-    static constexpr std::tuple columns{
-        Column{"placement", &GaugePlaces::placement,
-               "(N,) uint32; 0xffffffff: not one surface, without creases and steps"},
-        Column{"normal", &GaugePlaces::normal,
-               "(N, 3) float64 as gauges show it: x to the right, y up, z towards the viewer"}};
+    static constexpr auto columns =
+        each_of(Column{"placement", &GaugePlaces::placement,
+                       "(N,) uint32; 0xffffffff: not one surface, without creases and steps"},
+                Column{"normal", &GaugePlaces::normal,
+                       "(N, 3) float64 as gauges show it: x to the right, y up, z towards the viewer"});
 };
 
 /// Of pixels from the lower left; normals are those of the smooth surface, split at hard edges. `radius` [px].

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <limits>
-#include <tuple>
 #include <vector>
 
 #include <fovea/study/bitmap.h>
@@ -27,7 +26,7 @@ struct Measures {
     double mean_to_a_px = 0.0, median_to_a_px = 0.0, most_to_a_px = 0.0;
     std::size_t pixels_a = 0, pixels_b = 0;
 
-    static constexpr std::tuple fields{
+    static constexpr auto fields = each_of(
         style::Field{"precision", &Measures::precision, "Precision", "Share of A's pixels within the tolerance of B"},
         style::Field{"recall", &Measures::recall, "Recall", "Share of B's pixels within the tolerance of A"},
         style::Field{"f1", &Measures::f1, "F1", "Harmonic mean of precision and recall"},
@@ -42,7 +41,7 @@ struct Measures {
         style::Field{"median_to_a_px", &Measures::median_to_a_px, "Median Distance to A", "Of B's pixels"},
         style::Field{"most_to_a_px", &Measures::most_to_a_px, "Distance to A of 95 %", "Of B's pixels"},
         style::Field{"pixels_a", &Measures::pixels_a, "Pixels of A", ""},
-        style::Field{"pixels_b", &Measures::pixels_b, "Pixels of B", ""}};
+        style::Field{"pixels_b", &Measures::pixels_b, "Pixels of B", ""});
 };
 
 /// Distance that counts as near in drawings of this diagonal where none is given: 1 mm on the paper of the thesis.

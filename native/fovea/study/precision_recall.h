@@ -29,11 +29,11 @@ struct PrecisionRecall {
     Array<float> threshold;
     Array<double> precision, recall;
 
-    static constexpr std::tuple columns{
-        Column{"threshold", &PrecisionRecall::threshold,
-               "(N,) float32 strengths from which on lines are drawn, descending; the first is infinite"},
-        Column{"precision", &PrecisionRecall::precision, "(N,) float64 of the drawing"},
-        Column{"recall", &PrecisionRecall::recall, "(N,) float64 of the drawing, ascending"}};
+    static constexpr auto columns =
+        each_of(Column{"threshold", &PrecisionRecall::threshold,
+                       "(N,) float32 strengths from which on lines are drawn, descending; the first is infinite"},
+                Column{"precision", &PrecisionRecall::precision, "(N,) float64 of the drawing"},
+                Column{"recall", &PrecisionRecall::recall, "(N,) float64 of the drawing, ascending"});
 
     /// The number of the drawing with the most recall among those with at least a precision; -1: there is none.
     int best_at(double precision_wanted) const;

@@ -14,14 +14,14 @@ struct StrokeCourses {
     Array<std::int64_t> first;
     Array<vec2> beyond;  ///< per line, beyond its start and its end: how far the stroke goes on [px]; NaN: not told
 
-    static constexpr std::tuple columns{
+    static constexpr auto columns = each_of(
         Column{"away", &StrokeCourses::away,
                "(S,) float32 [px] of strokes to the left of lines, a pixel apart along them; NaN: not told"},
         Column{"first", &StrokeCourses::first, "(R + 1,) int64: line i has the samples first[i] to first[i + 1]"},
         Column{
             "beyond", &StrokeCourses::beyond,
             "(R, 2) float32 [px] that strokes go on beyond starts and ends of lines, below 0: they stop before; NaN: "
-            "not told"}};
+            "not told"});
 };
 
 struct CourseOptions {

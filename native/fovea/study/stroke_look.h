@@ -13,11 +13,11 @@ struct StrokeLooks {
     Array<Index> pixel;
     Array<float> width, darkness;
 
-    static constexpr std::tuple columns{
+    static constexpr auto columns = each_of(
         Column{"pixel", &StrokeLooks::pixel, "(N,) uint32 numbers of pixels, row by row from below"},
         Column{"width", &StrokeLooks::width, "(N,) float32 [px]"},
         Column{"darkness", &StrokeLooks::darkness,
-               "(N,) float32 share of the paper's light that is missing in the stroke, [0, 1]; NaN on dark paper"}};
+               "(N,) float32 share of the paper's light that is missing in the stroke, [0, 1]; NaN on dark paper"});
 };
 
 /// `lines`: of one pixel's width, of the same size, in the middle of the strokes. A width is the ink across a stroke as

@@ -41,7 +41,7 @@ struct Animation {
     int since_key(int frame) const;
 
     static constexpr Domain frames = number(1, 1000, 12);
-    static constexpr std::tuple fields{
+    static constexpr auto fields = each_of(
         Field{"hold", &Animation::hold, "Frames per Drawing",
               "For how many frames renders hold a drawing: 1 is on ones, 2 on twos; another camera ends it", frames},
         Field{"boil", &Animation::boil, "Boil",
@@ -73,7 +73,7 @@ struct Animation {
               "Renders draw lines at several moments while the scene's shutter is open, and average them, where the "
               "scene has motion blur on, too: it takes up to as many times as long"},
         Field{"motion_samples", &Animation::motion_samples, "Samples", "Number of moments while the shutter is open",
-              number(2, 256, 32)}};
+              number(2, 256, 32)});
 };
 
 }  // namespace fovea::style

@@ -5,10 +5,13 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <tuple>
 #include <type_traits>
 
+#include <fovea/base/each_of.h>
+
 namespace fovea::style {
+
+using base::each_of;
 
 /// Unit of a number.
 enum class Unit : std::uint8_t {
@@ -58,8 +61,8 @@ constexpr Domain number(double least, double most, double soft_most) {
 }
 constexpr Domain naming(Names names) { return {.names = names}; }
 
-/// Declaration of a member of structure S. S::fields is a tuple of all of them, in the order in which they are written
-/// to files. Label and description are shown by Blender: a title, and a sentence without its full stop; for a length in
+/// Declaration of a member of structure S. S::fields is each_of all of them, in the order in which they are written to
+/// files. Label and description are shown by Blender: a title, and a sentence without its full stop; for a length in
 /// the image its unit is appended.
 template <typename S, typename V>
 struct Field {
@@ -85,7 +88,7 @@ concept Record = requires { S::fields; };
 /// Calls visit(field) for each field of S.
 template <Record S, typename Visit>
 void for_each_field(const Visit& visit) {
-    std::apply([&](const auto&... field) { (visit(field), ...); }, S::fields);
+    S::fields(visit);
 }
 
 /// Copy of `record` with lengths in reference pixels and in millimeters converted to image pixels. `reference_scale`,

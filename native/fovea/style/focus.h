@@ -33,7 +33,7 @@ struct Effects {
     bool operator==(const Effects&) const = default;
 
     static constexpr const char *of_lines = "lines", *of_colors = "colors";
-    static constexpr std::tuple fields{
+    static constexpr auto fields = each_of(
         Field{"color", &Effects::color, "Line Color", "", {}, of_lines},
         Field{"texture", &Effects::texture, "Line Texture", "", {}, of_lines},
         Field{"width", &Effects::width, "Line Width", "", {}, of_lines},
@@ -52,7 +52,7 @@ struct Effects {
             some_emphasis},
         Field{"uniform", &Effects::uniform, "Constant Focus",
               "Focus everywhere, of what is constant: 0 in focus, 1 out of it", share},
-        Field{"blur_radius", &Effects::blur_radius, "Blur Radius", "Radius of the full blur", reference(200.0, 60.0)}};
+        Field{"blur_radius", &Effects::blur_radius, "Blur Radius", "Radius of the full blur", reference(200.0, 60.0)});
 };
 
 /// Line effects driven by distance from the camera, combined with those of focus.
@@ -62,11 +62,11 @@ struct Distance {
 
     bool operator==(const Distance&) const = default;
 
-    static constexpr std::tuple fields{
-        Field{"near", &Distance::near, "Near", "Distance from the camera at which effects begin", distances},
-        Field{"far", &Distance::far, "Far", "Distance from the camera at which effects are whole", distances},
-        Field{"width", &Distance::width, "Line Width"}, Field{"opacity", &Distance::opacity, "Line Opacity"},
-        Field{"density", &Distance::density, "Line Density"}};
+    static constexpr auto fields =
+        each_of(Field{"near", &Distance::near, "Near", "Distance from the camera at which effects begin", distances},
+                Field{"far", &Distance::far, "Far", "Distance from the camera at which effects are whole", distances},
+                Field{"width", &Distance::width, "Line Width"}, Field{"opacity", &Distance::opacity, "Line Opacity"},
+                Field{"density", &Distance::density, "Line Density"});
 };
 
 /// A focus point.
@@ -80,14 +80,14 @@ struct FocusPlace {
     bool operator==(const FocusPlace&) const = default;
 
     static constexpr Domain radius = number(0.0, far_away, far_away);
-    static constexpr std::tuple fields{
+    static constexpr auto fields = each_of(
         Field{"at", &FocusPlace::at, "",
               "In the image two numbers from its left and top, 0 to 1; in the scene three, in world space"},
         Field{"near", &FocusPlace::near, "",
               "In focus up to this distance: in heights of the frame in the image, else in units of the scene", radius},
         Field{"far", &FocusPlace::far, "", "Out of focus from this distance on", radius},
         Field{"object", &FocusPlace::object, "", "Of the model object: from whose surfaces distances are",
-              naming(Names::datablock)}};
+              naming(Names::datablock)});
 };
 
 /// How the places in focus are specified.
@@ -125,12 +125,12 @@ struct Focus {
     bool is_painted() const { return basis() == FocusBasis::attribute; }
     bool active() const { return is_painted() ? !attribute.empty() : model != FocusModel::none && !points.empty(); }
 
-    static constexpr std::tuple fields{
+    static constexpr auto fields = each_of(
         Field{"model", &Focus::model, "", "How it is said what is in focus"},
         Field{"points", &Focus::points, "", "List of up to 16 places to look at"},
         Field{"combine", &Focus::combine, "", "Of several places the nearest counts, or how near they are adds up"},
         Field{"attribute", &Focus::attribute, "", "Of the model painted: an attribute of meshes, white in focus",
-              naming(Names::attribute)}};
+              naming(Names::attribute)});
 };
 
 }  // namespace fovea::style

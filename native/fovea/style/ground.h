@@ -25,7 +25,7 @@ struct Paper {
     /// `reference_scale`: image pixels per reference pixel.
     double px_per_mm(double reference_scale) const { return reference_height * reference_scale / height_mm; }
 
-    static constexpr std::tuple fields{
+    static constexpr auto fields = each_of(
         Field{"color", &Paper::color, "Color", "Color of the paper", light},
         Field{"transparent", &Paper::transparent, "Transparent", "The picture has no paper, only what is drawn on it"},
         Field{"texture", &Paper::texture, "Surface", "Height of the paper, which ink and color heed",
@@ -41,7 +41,7 @@ struct Paper {
               &Paper::height_mm,
               "Page Height",
               "Height of the page, for pens measured in millimeters and the size of the paper's grain",
-              {10.0, 10000.0, 1000.0, Unit::millimeters}}};
+              {10.0, 10000.0, 1000.0, Unit::millimeters}});
 };
 
 enum class Shading : std::uint8_t { plain, flat, smooth, toon };
@@ -67,7 +67,7 @@ struct Color {
 
     bool operator==(const Color&) const = default;
 
-    static constexpr std::tuple fields{
+    static constexpr auto fields = each_of(
         Field{"shading", &Color::shading, "Shading", "What colors lie under the lines"},
         Field{"bands", &Color::bands, "Bands", "Number of tones of toon shading", number(2, 16, 16)},
         Field{"opacity", &Color::opacity, "Opacity", "How much of the paper the colors cover", share},
@@ -83,7 +83,7 @@ struct Color {
         Field{"backruns", &Color::backruns, "Backruns",
               "How unevenly washes dry, in flows and in blooms with dark rims", share},
         Field{"background", &Color::background, "Background", "Color behind everything, towards which colors fade",
-              light}};
+              light});
 };
 
 /// The inside of what the scene's section plane cuts.
@@ -93,9 +93,9 @@ struct Section {
 
     bool operator==(const Section&) const = default;
 
-    static constexpr std::tuple fields{
+    static constexpr auto fields = each_of(
         Field{"filled", &Section::filled, "Fill", "The inside of what the section plane cuts is filled (poche)"},
-        Field{"color", &Section::color, "Fill Color", "Color of the inside of what the section plane cuts", light}};
+        Field{"color", &Section::color, "Fill Color", "Color of the inside of what the section plane cuts", light});
 };
 
 }  // namespace fovea::style

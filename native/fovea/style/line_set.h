@@ -24,12 +24,12 @@ struct Hidden {
     bool operator==(const Hidden&) const = default;
 
     static constexpr Domain surfaces = number(1, most_surfaces, 8);
-    static constexpr std::tuple fields{
+    static constexpr auto fields = each_of(
         Field{"first", &Hidden::first, "From", "Draw lines that at least so many surfaces hide", surfaces, "", "from"},
         Field{"last", &Hidden::last, "To", "Draw lines that at most so many surfaces hide; 0: any number", surfaces, "",
               "to"},
         Field{"pen", &Hidden::pen, "", "How they are drawn"},
-        Field{"pen_away", &Hidden::pen_away, "", "And out of focus: what differs from the pen"}};
+        Field{"pen_away", &Hidden::pen_away, "", "And out of focus: what differs from the pen"});
 };
 
 /// (name, value) of a line definition's parameters, in the definition's units, and of its file.
@@ -83,7 +83,7 @@ struct LineSet {
 
     bool operator==(const LineSet&) const = default;
 
-    static constexpr std::tuple fields{
+    static constexpr auto fields = each_of(
         Field{"name", &LineSet::name, "", "For people"},
         Field{"kinds", &LineSet::kinds, "",
               "Its line definitions, each with the parameters that differ from their defaults"},
@@ -120,7 +120,7 @@ struct LineSet {
               "How far lines out of focus go on beyond their ends", reference(200.0, 60.0)},
         Field{"pen", &LineSet::pen, "", "How visible lines are drawn"},
         Field{"pen_away", &LineSet::pen_away, "", "And out of focus: what differs from the pen"},
-        Field{"hidden", &LineSet::hidden, "", "List of pens for hidden lines"}};
+        Field{"hidden", &LineSet::hidden, "", "List of pens for hidden lines"});
 };
 
 }  // namespace fovea::style

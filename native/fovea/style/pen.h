@@ -70,7 +70,7 @@ struct Pen {
     static constexpr const char *ink = "ink", *breadth = "breadth", *grain = "grain", *ends = "ends", *hand = "hand",
                                 *along = "along", *nib = "nib", *distance = "distance", *noise = "noise",
                                 *paint = "paint";
-    static constexpr std::tuple fields{
+    static constexpr auto fields = each_of(
         Field{"color", &Pen::color, "Color", "Color of the strokes", light, ink},
         Field{"opacity", &Pen::opacity, "Opacity", "How much of what lies below the strokes cover", share, ink},
         Field{"width", &Pen::width, "Width", "Width of the strokes, by default in pixels of an image 1080 pixels high",
@@ -163,7 +163,7 @@ struct Pen {
               {},
               paint},
         Field{"paint_color_name", &Pen::paint_color_name, "Name", "Name of the vertex group or attribute",
-              naming(Names::attribute), paint}};
+              naming(Names::attribute), paint});
 };
 
 }  // namespace fovea::style

@@ -40,12 +40,11 @@ struct Style {
 
     bool operator==(const Style&) const = default;
 
-    static constexpr std::tuple fields{
-        Field{"paper", &Style::paper},         Field{"line_sets", &Style::line_sets},
-        Field{"focus", &Style::focus},         Field{"effects", &Style::effects},
-        Field{"distance", &Style::distance},   Field{"color", &Style::color},
-        Field{"elision", &Style::elision},     Field{"section", &Style::section},
-        Field{"animation", &Style::animation}, Field{"kept", &Style::kept, "", "", {}, "", nullptr}};
+    static constexpr auto fields =
+        each_of(Field{"paper", &Style::paper}, Field{"line_sets", &Style::line_sets}, Field{"focus", &Style::focus},
+                Field{"effects", &Style::effects}, Field{"distance", &Style::distance}, Field{"color", &Style::color},
+                Field{"elision", &Style::elision}, Field{"section", &Style::section},
+                Field{"animation", &Style::animation}, Field{"kept", &Style::kept, "", "", {}, "", nullptr});
 
     /// Whether there is a color layer.
     bool has_color() const { return color.shading != Shading::plain && effects.colors != Mode::none; }

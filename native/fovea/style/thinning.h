@@ -28,7 +28,7 @@ struct Elision {
     static constexpr Domain room{0.0, 0.99, 0.99, Unit::share};
     static constexpr Domain weight = number(0.0, 10.0, 2.0);
     static constexpr const char* weights = "weights";
-    static constexpr std::tuple fields{
+    static constexpr auto fields = each_of(
         Field{"enabled", &Elision::enabled, "Line Thinning",
               "Thin lines that go alongside each other nearer than the minimum distance of their pens"},
         Field{"fade_from", &Elision::fade_from, "Fade Threshold",
@@ -56,7 +56,7 @@ struct Elision {
         Field{"density_attribute", &Elision::density_attribute, "Painted Density",
               "Attribute of meshes: lines are four times as dense where it is white, a quarter as dense where it is "
               "black",
-              naming(Names::attribute)}};
+              naming(Names::attribute)});
 };
 
 }  // namespace fovea::style

@@ -19,7 +19,7 @@ struct Transfer {
 
     bool operator==(const Transfer&) const = default;
 
-    static constexpr std::tuple fields{
+    static constexpr auto fields = each_of(
         Field{"start", &Transfer::start, "Start",
               "Value (focus: 0 in, 1 out of it; along a stroke: 0 its start, 1 its end) at which the effect begins",
               share},
@@ -28,7 +28,7 @@ struct Transfer {
         Field{"strength", &Transfer::strength, "Strength",
               "How strong the effect is where it is whole; 0 switches it off", share},
         Field{"curve", &Transfer::curve, "",
-              "Up to 32 points [x, y], both 0 to 1, joined smoothly between start and end; none: straight", share}};
+              "Up to 32 points [x, y], both 0 to 1, joined smoothly between start and end; none: straight", share});
 };
 
 inline Transfer off() { return {0.0, 1.0, 0.0, {}}; }

@@ -17,13 +17,13 @@ struct CenterLines {
     Array<float> width_px, opacity, strength;
     Array<Kinds> kinds;
 
-    static constexpr std::tuple line_columns{
-        Column{"path_id", &CenterLines::path_id, "(R,) uint64 persistent id of the path, ascending"},
-        Column{"pen", &CenterLines::pen, "(R,) uint32 of the style's pens, as Pens numbers them"},
-        Column{"line_set", &CenterLines::line_set, "(R,) uint8"},
-        Column{"invisibility", &CenterLines::invisibility, "(R,) uint8 surfaces that hide it; 0: visible"},
-        Column{"closed", &CenterLines::closed, "(R,) uint8, 1: the last point is the first again"}};
-    static constexpr std::tuple point_columns{
+    static constexpr auto line_columns =
+        each_of(Column{"path_id", &CenterLines::path_id, "(R,) uint64 persistent id of the path, ascending"},
+                Column{"pen", &CenterLines::pen, "(R,) uint32 of the style's pens, as Pens numbers them"},
+                Column{"line_set", &CenterLines::line_set, "(R,) uint8"},
+                Column{"invisibility", &CenterLines::invisibility, "(R,) uint8 surfaces that hide it; 0: visible"},
+                Column{"closed", &CenterLines::closed, "(R,) uint8, 1: the last point is the first again"});
+    static constexpr auto point_columns = each_of(
         Column{"position_view", &CenterLines::position_view,
                "(M, 3) float32 view space: the eye at 0, looking along -z"},
         Column{"color", &CenterLines::color, "(M, 3) float32 scene-linear"},
@@ -31,7 +31,7 @@ struct CenterLines {
         Column{"opacity", &CenterLines::opacity, "(M,) float32 in [0, 1]; of textures, the mean of their ink"},
         Column{"strength", &CenterLines::strength, "(M,) float32 in [0, 1] of the line"},
         Column{"kinds", &CenterLines::kinds,
-               "(M,) uint32 bits of the line definitions of the segment around the point; see line_definitions()"}};
+               "(M,) uint32 bits of the line definitions of the segment around the point; see line_definitions()"});
 };
 
 /// Runs a frame's steps up to shape().

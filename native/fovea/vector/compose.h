@@ -15,11 +15,11 @@ struct Figures {
     std::size_t numbers = 0;
     std::size_t polyline_numbers = 0;
 
-    static constexpr std::tuple fields{
+    static constexpr auto fields = each_of(
         style::Field{"strokes", &Figures::strokes, "", "Runs of lines of which anything is drawn"},
         style::Field{"paths", &Figures::paths, "", "Of the document: strokes and parts of them"},
         style::Field{"numbers", &Figures::numbers, "", "Coordinates of the paths' curves"},
-        style::Field{"polyline_numbers", &Figures::polyline_numbers, "", "Coordinates of the runs as they are found"}};
+        style::Field{"polyline_numbers", &Figures::polyline_numbers, "", "Coordinates of the runs as they are found"});
 };
 
 /// The way of a plotter's pen.
@@ -30,12 +30,12 @@ struct Way {
     double pen_up_unordered_mm = 0.0;
     std::size_t lifts = 0;
 
-    static constexpr std::tuple fields{
+    static constexpr auto fields = each_of(
         style::Field{"pen_down_mm", &Way::pen_down_mm, "", "Length of what the pen draws"},
         style::Field{"pen_up_mm", &Way::pen_up_mm, "", "And of its ways between that"},
         style::Field{"pen_up_nearest_mm", &Way::pen_up_nearest_mm, "", "The same, always to the nearest end"},
         style::Field{"pen_up_unordered_mm", &Way::pen_up_unordered_mm, "", "The same, in the order of the scene"},
-        style::Field{"lifts", &Way::lifts, "", "How often it is lifted"}};
+        style::Field{"lifts", &Way::lifts, "", "How often it is lifted"});
 };
 
 struct Drawing {

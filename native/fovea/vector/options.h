@@ -36,7 +36,7 @@ struct Options {
     static constexpr style::Domain length{0.0, 1000.0, 100.0, style::Unit::millimeters};
     static constexpr style::Domain deviation{0.0, 10.0, 1.0, style::Unit::millimeters};
     static constexpr style::Domain unit = style::number(1e-12, 1e12, 1000.0);
-    static constexpr std::tuple fields{
+    static constexpr auto fields = each_of(
         style::Field{"sheet", &Options::sheet, "Paper", "Size of the paper, which lies as the picture does"},
         style::Field{"margin", &Options::margin, "Margin", "Left free around the picture on a sheet of paper", length},
         style::Field{"to_scale", &Options::to_scale, "To Scale",
@@ -55,7 +55,7 @@ struct Options {
             "A frame and a title block (ISO 7200) on a sheet of paper: the picture is above the block or beside it"},
         style::Field{"titles", &Options::titles, "Titles", "What the title block says"},
         style::Field{"unit_meters", &Options::unit_meters, "Unit",
-                     "Meters to a unit of the scene, for the scale in the title block", unit}};
+                     "Meters to a unit of the scene, for the scale in the title block", unit});
 };
 
 }  // namespace fovea::vector

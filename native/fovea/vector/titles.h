@@ -16,7 +16,7 @@ struct Titles {
 
     bool operator==(const Titles&) const = default;
 
-    static constexpr std::tuple fields{
+    static constexpr auto fields = each_of(
         style::Field{"title", &Titles::title, "Title", "What is drawn"},
         style::Field{"document", &Titles::document, "Document Type", "As floor plan, section, assembly drawing"},
         style::Field{"number", &Titles::number, "Drawing Number", "By which the owner finds the drawing"},
@@ -25,7 +25,7 @@ struct Titles {
         style::Field{"date", &Titles::date, "Date of Issue", "When it was released, as 2026-05-31"},
         style::Field{"creator", &Titles::creator, "Created By", "Who made the drawing"},
         style::Field{"approver", &Titles::approver, "Approved By", "Who released it"},
-        style::Field{"owner", &Titles::owner, "Legal Owner", "The office or company whose drawing it is"}};
+        style::Field{"owner", &Titles::owner, "Legal Owner", "The office or company whose drawing it is"});
 };
 
 }  // namespace fovea::vector

@@ -19,12 +19,12 @@ struct Runs {
     Array<double> start_px, end_px;
     Array<std::uint8_t> invisibility;
 
-    static constexpr std::tuple columns{
+    static constexpr auto columns = each_of(
         Column{"piece", &Runs::piece, "(R,) uint32"}, Column{"start_px", &Runs::start_px, "(R,) float64"},
         Column{"end_px", &Runs::end_px, "(R,) float64"},
         Column{"invisibility", &Runs::invisibility,
                "(R,) uint8, how many surfaces hide it (quantitative invisibility, Appel 1967), as far as they were "
-               "counted; 0: visible"}};
+               "counted; 0: visible"});
 
     std::size_t size() const { return piece.size(); }
     /// Appends a run, unless its ends coincide.
