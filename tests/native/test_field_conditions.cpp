@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Curvature under what must not change it, on broken input, and at hard edges.
+#include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <gtest/gtest.h>
 #include <limits>
 #include <numeric>
 #include <tbb/global_control.h>
+#include <utility>
+#include <vector>
 
 #include <fovea/field/fields.h>
+#include <fovea/field/normals.h>
 #include <fovea/mesh/stretch.h>
 
 #include "field_errors.h"
@@ -58,6 +63,28 @@ Mesh fine_box(int n) {
 }
 
 }  // namespace
+
+TEST(FieldSizes, AreOfTheCurvatureBelowWhichATenthOfTheAreaIs) {
+    const Sample samples[] = {ellipsoid(4, true, dvec3(3.0, 2.0, 1.0)), ellipsoid(2, true, dvec3(0.3)),
+                              torus({.n = 200})};
+    for (const Sample& sample : samples) {
+        const auto surface = sample.mesh.surface();
+        const auto fields = fields_of(*surface);
+        const Array<float> areas = vertex_areas(*surface, *neighbors_of(*surface));
+        std::vector<std::pair<float, double>> sorted;
+        double all = 0.0;
+        for (Index v = 0; v < surface->vertex_count(); ++v)
+            for (const float k : {fields->curvature[v].k1, fields->curvature[v].k2}) {
+                sorted.emplace_back(std::abs(k), areas[v]);
+                all += areas[v];
+            }
+        std::ranges::sort(sorted);
+        std::size_t i = 0;
+        for (double below = sorted[0].second; below <= 0.1 * all; below += sorted[++i].second) continue;
+        ASSERT_LT(0.01 / sorted[i].first, greatest_feature_size(*surface));
+        EXPECT_EQ(fields->feature_size, static_cast<float>(0.01 / sorted[i].first));
+    }
+}
 
 TEST(FieldConditions, SphereIsRoundEverywhere) {
     Mesh mesh = meshes::sphere(48);

@@ -107,7 +107,7 @@ TEST(FieldSmooth, DoesNotCrossHardEdges) {
     });
     const auto surface = mesh.surface();
     const auto neighbors = neighbors_of(*surface);
-    Array<Curvature> before(surface->vertex_count());
+    Array<Curvature> before(surface->vertex_count(), Curvature{});
     for (Index v = 0; v < before.size(); ++v) {
         const vec3 p = surface->positions[v];
         Curvature& c = before[v];

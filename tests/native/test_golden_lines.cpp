@@ -19,7 +19,7 @@ void near_to(double value, double expected, const char* what) {
 }
 
 struct Golden {
-    CurvatureD c;
+    CurvatureD c{};
     SeenOf<double> seen;
     RadialOf<double> radial;
     ViewCurvatureOf<double> view;
@@ -181,7 +181,7 @@ TEST(GoldenLines, Monge) {
 
 TEST(GoldenLines, HeadOnAndFlatPointsStayFinite) {
     for (const double k : {0.0, 1.0}) {
-        CurvatureD c;
+        CurvatureD c{};
         c.normal = {0, 0, 1};
         c.e1 = {1, 0, 0};
         c.e2 = {0, 1, 0};

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <cstdint>
 #include <gtest/gtest.h>
 
 #include <fovea/base/release_memory.h>
@@ -49,6 +50,18 @@ TEST(LargeMemory, FreedMemoryIsKeptForTheNextArrayUpToABound) {
         const Array<char> more_than_is_kept(keeps_large_memory + 1);
     }
     EXPECT_LE(large_memory_kept(), keeps_large_memory);
+}
+
+TEST(LargeMemory, ArraysOfManyMegabytesAreOfWholePagesOfTwo) {
+    for (const char value : {1, 2}) {
+        const Array<char> values((std::size_t(32) << 20) + 5, value);
+        EXPECT_EQ(std::ranges::count(values, value), std::ptrdiff_t(values.size()));
+#ifdef __linux__
+        if (keeps_large_memory > 0) {
+            EXPECT_EQ(reinterpret_cast<std::uintptr_t>(values.data()) % (2 << 20), 0u);
+        }
+#endif
+    }
 }
 
 TEST(LargeMemory, KeptMemoryIsReleasedWhenAskedFor) {

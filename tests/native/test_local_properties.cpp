@@ -186,7 +186,7 @@ TEST(MixedCurvature, OfEqualCornersIsTheirsAndKnowsNoSignOfTheirFrames) {
     std::mt19937 random(4);
     std::normal_distribution<float> normal;
     for (int n = 0; n < 200; ++n) {
-        field::Curvature c;
+        field::Curvature c{};
         c.normal = glm::normalize(vec3(normal(random), normal(random), normal(random)));
         c.e1 = glm::normalize(glm::cross(c.normal, vec3(normal(random), normal(random), normal(random))));
         c.e2 = glm::cross(c.normal, c.e1);

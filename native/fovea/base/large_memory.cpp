@@ -10,6 +10,10 @@
 #include <mutex>
 #include <new>
 
+#ifdef __linux__
+#include <sys/mman.h>
+#endif
+
 #include <fovea/base/release_memory.h>
 
 namespace fovea::base {
@@ -96,15 +100,30 @@ Freed& freed() {
     return *blocks;
 }
 
+/// Uninitialized memory from the heap, of a size from size_class; null if there is none. Arrays of large meshes are
+/// made of pages of 2 MiB where the system gives such to those who ask: a million pages of 4 KiB to be cleared and
+/// entered into its tables are a large part of a first frame, and what reads here and there waits for these tables.
+void* from_heap(std::size_t size) {
+#ifdef __linux__
+    constexpr std::size_t huge_page = std::size_t(2) << 20;
+    if (size >= 16 * huge_page) {  // all of which are multiples of it
+        void* const found = std::aligned_alloc(huge_page, size);
+        if (found) madvise(found, size, MADV_HUGEPAGE);  // a wish: nothing depends on whether it is fulfilled
+        return found;
+    }
+#endif
+    return std::malloc(size);
+}
+
 }  // namespace
 
 void* allocate_large(std::size_t bytes) {
     if (bytes > SIZE_MAX / 2) throw std::bad_alloc();
     const std::size_t size = size_class(bytes);
     if (void* const found = freed().take(size)) return found;
-    if (void* const found = std::malloc(size)) return found;
+    if (void* const found = from_heap(size)) return found;
     freed().clear();
-    if (void* const found = std::malloc(size)) return found;
+    if (void* const found = from_heap(size)) return found;
     throw std::bad_alloc();
 }
 

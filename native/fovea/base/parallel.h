@@ -57,6 +57,18 @@ Array<T> parallel_map(std::size_t count, const Make& make) {
     return made;
 }
 
+/// `count` times a value: std::vector would fill large ones in one thread, which waits for memory page by page.
+template <typename T>
+Array<T> parallel_filled(std::size_t count, const T& value) {
+    return parallel_map<T>(count, [&](std::size_t) { return value; });
+}
+
+/// A copy, in parallel for the same reason.
+template <typename T>
+Array<T> parallel_copy(const Array<T>& values) {
+    return parallel_map<T>(values.size(), [&](std::size_t i) { return values[i]; });
+}
+
 /// Calls body(block, begin, end) for consecutive blocks of exactly `size` indices (the last may be shorter). The blocks
 /// do not depend on the number of threads, so per-block results joined in block order are deterministic.
 template <typename Body>
@@ -74,13 +86,32 @@ std::vector<Part> parallel_parts(std::size_t count, std::size_t size, const Fill
     return parts;
 }
 
+/// Exclusive prefix sum in place: counts become offsets; the array grows by one entry, the total.
+template <typename Counts>
+void counts_to_offsets(Counts& counts) {
+    typename Counts::value_type sum = 0;
+    for (auto& c : counts) {
+        const auto n = c;
+        c = sum;
+        sum += n;
+    }
+    counts.push_back(sum);
+}
+
 /// Concatenates, in block order, what body(begin, end, out) appends to `out` for each block.
 template <typename T, typename Body>
 Array<T> parallel_collect(std::size_t count, std::size_t size, const Body& body) {
-    Array<T> all;
     const auto fill = [&](Array<T>& part, std::size_t begin, std::size_t end) { body(begin, end, part); };
-    for (const auto& part : parallel_parts<Array<T>>(count, size, fill))
-        all.insert(all.end(), part.begin(), part.end());
+    auto parts = parallel_parts<Array<T>>(count, size, fill);
+    if (parts.size() == 1) return std::move(parts[0]);
+    Array<std::size_t> starts = parallel_map<std::size_t>(parts.size(), [&](std::size_t b) { return parts[b].size(); });
+    counts_to_offsets(starts);
+    Array<T> all(starts.back());
+    const std::size_t copied_at_once = parts.size() * 4096 / (all.size() + 1) + 1;  // parts
+    parallel_for(parts.size(), copied_at_once, [&](std::size_t b) {
+        std::ranges::copy(parts[b], all.begin() + starts[b]);
+        Array<T>().swap(parts[b]);
+    });
     return all;
 }
 
@@ -125,18 +156,6 @@ void parallel_sort(Iterator begin, Iterator end, const Less& less = {}) {
     for_ranges(1, 1, &sort,
                [](const void* of, std::size_t, std::size_t) { (*static_cast<const decltype(sort)*>(of))(); });
 #endif
-}
-
-/// Exclusive prefix sum in place: counts become offsets; the array grows by one entry, the total.
-template <typename Counts>
-void counts_to_offsets(Counts& counts) {
-    typename Counts::value_type sum = 0;
-    for (auto& c : counts) {
-        const auto n = c;
-        c = sum;
-        sum += n;
-    }
-    counts.push_back(sum);
 }
 
 /// The values at the positions i for which kept(i) is true, in order.

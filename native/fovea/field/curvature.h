@@ -10,14 +10,15 @@ namespace fovea::field {
 /// sphere of radius R. C is the covariant derivative of h, symmetric in all arguments. Units: k 1 / length, C 1 /
 /// length^2. Rusinkiewicz, "Estimating Curvatures and Their Derivatives on Triangle Meshes", 3DPVT 2004. Negating the
 /// frame (e1 -> -e1, e2 -> -e2) negates C and leaves k1 and k2. Where |k1| = |k2| the frame is arbitrary. Where no
-/// surface surrounds the point all members are zero, including the normal.
+/// surface surrounds the point all members are zero, including the normal. Without values unless it is given some, as
+/// arrays of millions are filled in parallel.
 template <typename Real>
 struct CurvatureOf {
     using Vec3 = glm::vec<3, Real>;
-    Vec3 normal{0};
-    Vec3 e1{0}, e2{0};         ///< principal directions, unit, e1 x e2 = normal
-    Real k1 = 0, k2 = 0;       ///< principal curvatures along e1 and e2, |k1| >= |k2|
-    Real C[4] = {0, 0, 0, 0};  ///< C(e1,e1,e1), C(e1,e1,e2), C(e1,e2,e2), C(e2,e2,e2)
+    Vec3 normal;
+    Vec3 e1, e2;  ///< principal directions, unit, e1 x e2 = normal
+    Real k1, k2;  ///< principal curvatures along e1 and e2, |k1| >= |k2|
+    Real C[4];    ///< C(e1,e1,e1), C(e1,e1,e2), C(e1,e2,e2), C(e2,e2,e2)
 };
 
 using Curvature = CurvatureOf<float>;    ///< as stored per vertex

@@ -7,7 +7,7 @@
 namespace fovea::field {
 
 CurvatureD curvature_of(const ImplicitJet& jet) {
-    CurvatureD c;
+    CurvatureD c{};
     const double length = glm::length(jet.gradient);
     if (!(length > 0.0)) return c;
     const dvec3 n = c.normal = jet.gradient / length;
@@ -46,7 +46,7 @@ CurvatureD mapped(const Curvature& c, const dmat3& inverse) {
 }
 
 CurvatureD curvature_of(const HeightJetD& jet) {
-    CurvatureD c;
+    CurvatureD c{};
     c.normal = jet.normal;
     if (jet.normal == dvec3(0.0)) return c;
     set_principal(c, jet.tangent, glm::cross(jet.normal, jet.tangent), -jet.second[0], -jet.second[1], -jet.second[2]);
@@ -58,7 +58,7 @@ CurvatureD curvature_of(const HeightJetD& jet) {
 Array<Curvature> curvature_of(const Array<HeightJet>& jets) {
     return parallel_map<Curvature>(jets.size(), [&](std::size_t v) {
         const HeightJet& jet = jets[v];
-        HeightJetD exact;
+        HeightJetD exact{};
         // Rounding to float has left them neither unit nor orthogonal.
         const dvec3 n(jet.normal), t(jet.tangent);
         if (n != dvec3(0.0)) {

@@ -2,11 +2,14 @@
 #include <fovea/field/fields.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
+#include <cstdint>
 #include <format>
 #include <functional>
-#include <vector>
+#include <numeric>
+#include <optional>
 
 #include <fovea/base/hash.h>
 #include <fovea/base/parallel.h>
@@ -92,39 +95,44 @@ std::shared_ptr<const Choice> choice_of(const Surface& surface, const Neighbors&
     return surface.cache().get<Choice>(hash_of(options), [&] { return choose_jets(surface, neighbors, options); });
 }
 
-float feature_size_of(const Surface& surface, const Neighbors& neighbors, const Array<Curvature>& curvature) {
-    const Array<float> areas = vertex_areas(surface, neighbors);
-    struct Weighted {
-        float k, area;
-    };
-    std::vector<Weighted> pool;
-    pool.reserve(2 * curvature.size());
-    double total = 0.0;
-    for (std::size_t v = 0; v < curvature.size(); ++v) {
-        if (!(areas[v] > 0.0f)) continue;
-        pool.push_back({std::abs(curvature[v].k1), areas[v]});
-        pool.push_back({std::abs(curvature[v].k2), areas[v]});
-        total += 2.0 * areas[v];
-    }
-    if (pool.empty()) return 0.0f;
-    // Weighted quickselect: recurse into the half that contains the quantile. The order of equal k does not matter.
-    auto low = pool.begin(), high = pool.end();
-    double below = 0.0;
-    const double wanted = 0.1 * total;
-    const auto less = [](const Weighted& a, const Weighted& b) { return a.k < b.k; };
-    while (high - low > 1) {
-        const auto middle = low + (high - low) / 2;
-        std::nth_element(low, middle, high, less);
-        double sum = below;
-        for (auto it = low; it != middle; ++it) sum += it->area;
-        if (sum > wanted) {
-            high = middle;
-        } else {
-            below = sum;
-            low = middle;
+/// The least curvature, without its sign, up to which there is more than `share` of all curvatures, each weighted with
+/// the area around its vertex; nothing where there is no area. Found byte by byte: the bits of numbers are in the order
+/// of the numbers.
+std::optional<float> quantile_of(const Array<Curvature>& curvature, const Array<float>& areas, double share) {
+    using Sums = std::array<double, 256>;
+    std::uint32_t found = 0, known = 0;  // the bytes found so far, and a mask of them
+    double below = 0.0, wanted = 0.0;
+    for (int shift = 24; shift >= 0; shift -= 8) {
+        const auto add_up = [&](Sums& sums, std::size_t begin, std::size_t end) {
+            for (std::size_t v = begin; v < end; ++v) {
+                if (!(areas[v] > 0.0f)) continue;
+                for (const float k : {curvature[v].k1, curvature[v].k2})
+                    if (const auto bits = std::bit_cast<std::uint32_t>(std::abs(k)); (bits & known) == found)
+                        sums[bits >> shift & 255] += areas[v];
+            }
+        };
+        Sums sums{};
+        for (const Sums& part : parallel_parts<Sums>(curvature.size(), 1 << 14, add_up))
+            for (std::size_t i = 0; i < sums.size(); ++i) sums[i] += part[i];
+        if (known == 0) wanted = share * std::accumulate(sums.begin(), sums.end(), 0.0);
+        std::optional<std::uint32_t> byte;
+        for (std::uint32_t next = 0; next < sums.size(); ++next) {
+            if (!(sums[next] > 0.0)) continue;
+            if (byte) below += sums[*byte];
+            byte = next;
+            if (below + sums[next] > wanted) break;
         }
+        if (!byte) return {};
+        found |= *byte << shift;
+        known |= 255u << shift;
     }
-    const double cap = most_of_radius * surface.radius, k = low->k;
+    return std::bit_cast<float>(found);
+}
+
+float feature_size_of(const Surface& surface, const Neighbors& neighbors, const Array<Curvature>& curvature) {
+    const auto found = quantile_of(curvature, vertex_areas(surface, neighbors), 0.1);
+    if (!found) return 0.0f;
+    const double cap = most_of_radius * surface.radius, k = *found;
     return static_cast<float>(0.01 < cap * k ? 0.01 / k : cap);
 }
 

@@ -87,7 +87,7 @@ class OneRing {
     }
 
     Curvature second_order(Index v) const {
-        CurvatureD c;
+        CurvatureD c{};
         c.normal = dvec3(normals_[v]);
         if (c.normal == dvec3(0.0)) return {};
         const dvec3 p = any_tangent(c.normal), q = glm::cross(c.normal, p);

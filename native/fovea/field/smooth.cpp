@@ -50,10 +50,10 @@ double mean_edge(const Surface& surface, const Neighbors& neighbors, Index v) {
 
 /// Principal directions and curvatures of the mean tensors (sums over `total`), and C in that frame.
 Curvature principal(const Tensors& sum, double total, const dvec3& n, const dvec3& t, const dvec3& b) {
-    CurvatureD c;
+    CurvatureD c{};
     c.normal = n;
     set_principal(c, t, b, sum.h[0] / total, sum.h[1] / total, sum.h[2] / total);
-    Curvature unturned;
+    Curvature unturned{};
     for (int i = 0; i < 4; ++i) unturned.C[i] = static_cast<float>(sum.C[i] / total);
     Tensors turned;
     turned.add(unturned, Turn(t, b, n, c.e1, c.e2), 1.0);

@@ -68,7 +68,7 @@ class Beyond {
 };
 
 void mark_silhouette(const SurfaceView& seen, const Values& values, Kinds bit, Array<Kinds>& kinds) {
-    Array<Kinds> candidates(seen.surface.edges.size(), 0);
+    auto candidates = parallel_filled(seen.surface.edges.size(), Kinds(0));
     std::get<EdgeRule>(contour.rule).mark(seen, values, 1, candidates);
     std::get<EdgeRule>(border.rule).mark(seen, without_loose, 1, candidates);
     const Beyond beyond(seen);

@@ -32,7 +32,7 @@ void change_basis(const double (&second)[3], const double (&third)[4], const dve
 }  // namespace
 
 HeightJetD height_jet(const ParametricJet& s) {
-    HeightJetD result;
+    HeightJetD result{};
     const dvec3 area = glm::cross(s.u, s.v);
     const double size = glm::length(area);
     if (!(size > least_sine * glm::length(s.u) * glm::length(s.v))) return result;
@@ -60,7 +60,7 @@ HeightJetD height_jet(const ParametricJet& s) {
 }
 
 HeightJetD turned(const HeightJetD& jet, const dvec3& normal, const dvec3& tangent) {
-    HeightJetD result;
+    HeightJetD result{};
     result.normal = normal;
     result.tangent = tangent;
     // The new axes, expressed in the jet's own frame. For opposite normals the smallest rotation is not unique; they

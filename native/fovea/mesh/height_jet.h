@@ -10,13 +10,13 @@ namespace fovea::mesh {
 
 /// z = f(x, y) over the tangent plane at the point, x along `tangent`, y along normal x tangent, z along the outward
 /// unit normal; f and its first derivatives are zero at the point. Units: second derivatives 1 / length, third 1 /
-/// length^2. All zero where the surface is unknown.
+/// length^2. All zero where the surface is unknown. Without values unless it is given some, as field::CurvatureOf.
 template <typename Real>
 struct HeightJetOf {
     using Vec3 = glm::vec<3, Real>;
-    Vec3 normal{0}, tangent{0};
-    Real second[3] = {0, 0, 0};    ///< f_xx, f_xy, f_yy
-    Real third[4] = {0, 0, 0, 0};  ///< f_xxx, f_xxy, f_xyy, f_yyy
+    Vec3 normal, tangent;
+    Real second[3];  ///< f_xx, f_xy, f_yy
+    Real third[4];   ///< f_xxx, f_xxy, f_xyy, f_yyy
 };
 
 using HeightJet = HeightJetOf<float>;    ///< as stored per vertex

@@ -188,7 +188,7 @@ void LimitPatches::evaluate_vertex(Index v) {
     ParametricJet parametric;
     positions[v] = vec3(point(anchors_[v], parametric));
     HeightJetD jet = height_jet(parametric);
-    HeightJetD sum;
+    HeightJetD sum{};
     double weight = 0.0;
     for (Index s = shape_rows_.begin(v); s < shape_rows_.end(v); ++s) {
         point(shapes_[s], parametric);

@@ -44,7 +44,7 @@ In<int> flat(In<glm::vec<N, int>> values) {
 
 /// Per corner of a mesh, the edge to the polygon's next corner; none where the edge that is named joins other vertices.
 Array<Index> corner_edges_of(const MeshArrays& mesh) {
-    Array<Index> edges(mesh.corner_verts.size(), none);
+    auto edges = parallel_filled(mesh.corner_verts.size(), none);
     parallel_for(mesh.polygon_offsets.empty() ? 0 : mesh.polygon_offsets.size() - 1, [&](std::size_t f) {
         const int begin = mesh.polygon_offsets[f], end = mesh.polygon_offsets[f + 1];
         for (int c = begin; c < end; ++c) {
@@ -61,7 +61,7 @@ Array<Index> corner_edges_of(const MeshArrays& mesh) {
 /// at its first corner; edges without a polygon come last. Blender numbers the edges that it makes in this order on one
 /// core, and in others on more: lines would begin elsewhere on another machine.
 Array<Index> edge_numbers(const MeshArrays& mesh, In<Index> corner_edges) {
-    Array<Index> number(mesh.edge_verts.size(), none);
+    auto number = parallel_filled(mesh.edge_verts.size(), none);
     Index next = 0;
     const auto give = [&](int corner) {
         if (corner_edges[corner] == none) return;
@@ -186,8 +186,9 @@ void Surface::take_topology(const MeshArrays& mesh) {
 
     edge_marks.assign(edge_count, 0);
     const auto mark = [&](In<std::uint8_t> flags, Mark bit) {
-        for (std::size_t e = 0; e < flags.size(); ++e)
+        parallel_for(flags.size(), [&](std::size_t e) {
             if (flags[e]) edge_marks[number[e]] |= bit;
+        });
     };
     mark(mesh.sharp, mark_sharp);
     mark(mesh.seam, mark_seam);

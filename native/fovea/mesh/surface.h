@@ -208,12 +208,12 @@ class Surface : public SurfaceArrays {
     /// Newell's normal (twice the area vector) and the perimeter of a polygon; exact for planar polygons, a mean
     /// otherwise.
     struct Outline {
-        dvec3 area{0.0};
-        double perimeter = 0.0;
+        dvec3 area;
+        double perimeter;
     };
     Outline outline_of(In<Index> corners) const;
     bool is_flat(In<Index> corners, const Outline& outline) const;
-    /// Also returns the outlines of all others.
+    /// Also returns the outlines of all others; of those it skips, nothing.
     Array<Outline> find_degenerate(Array<std::uint8_t>& skip);
     void find_duplicates(Array<std::uint8_t>& skip);
     void triangulate(const Array<std::uint8_t>& skip);

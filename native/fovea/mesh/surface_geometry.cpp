@@ -64,7 +64,7 @@ Surface::Surface(const Surface& source, const dmat3& stretch)
 }
 
 Surface::Outline Surface::outline_of(In<Index> corners) const {
-    Outline outline;
+    Outline outline{};
     const dvec3 origin(positions[corners[0]]);
     dvec3 a = dvec3(positions[corners.back()]) - origin;
     for (const Index corner : corners) {
@@ -258,8 +258,7 @@ void Surface::build_edge_sides(const Array<std::uint8_t>& skip) {
         }
     });
 
-    edges.resize(mesh_edges);
-    edges.reserve(mesh_edges + diagonals.size());
+    edges.resize(mesh_edges + diagonals.size());
     auto& offsets = edge_rows.offsets;
     offsets = parallel_map<Index>(mesh_edges + diagonals.size(), [&](std::size_t e) {
         if (e >= mesh_edges) return Index(2);
@@ -275,12 +274,13 @@ void Surface::build_edge_sides(const Array<std::uint8_t>& skip) {
             *out++ = EdgeSide(corner_facet[corner], corner_verts_[corner] == edges[e].x);
         }
     });
-    Index next = mesh_edges;
-    for (const Diagonal& d : diagonals) {
-        edges.push_back(d.edge);
-        edge_sides[offsets[next]] = d.first;
-        edge_sides[offsets[next++] + 1] = d.second;
-    }
+    parallel_for(diagonals.size(), [&](std::size_t i) {
+        const Diagonal& d = diagonals[i];
+        const std::size_t e = mesh_edges + i;
+        edges[e] = d.edge;
+        edge_sides[offsets[e]] = d.first;
+        edge_sides[offsets[e] + 1] = d.second;
+    });
     report_.non_manifold_edges =
         static_cast<Index>(parallel_count(mesh_edges, [&](std::size_t e) { return edge_rows.size(Index(e)) > 2; }));
     report_.inconsistent_edges = static_cast<Index>(parallel_count(mesh_edges, [&](std::size_t e) {

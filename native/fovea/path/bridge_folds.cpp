@@ -44,7 +44,7 @@ void bridge(const SurfaceView& seen, In<Index> edges, bool closed, Kinds bit, Ar
 }  // namespace
 
 void bridge_folds(const SurfaceView& seen, const LineDefinition& whole, Kinds bit, Array<Kinds>& kinds) {
-    Array<Kinds> candidates(kinds.size(), 0);
+    auto candidates = parallel_filled(kinds.size(), Kinds(0));
     std::get<EdgeRule>(whole.rule).mark(seen, default_values(whole), 1, candidates);
     Array<Index> edges;
     for (Index e = 0; e < candidates.size(); ++e)

@@ -34,9 +34,9 @@ void trace_kinds(const PlacedSet& set, const SurfaceView& seen, bool of_surface,
 
 /// Per edge: mesh-edge contours whose smooth twin is requested on an adjacent face.
 Array<Kinds> doubled_at_edges(const Surface& surface, const std::vector<PlacedSet>& sets) {
-    Array<Kinds> doubled(surface.edges.size(), doubled_edges(asked_of(sets)));
-    if (!any_by_material(sets)) return doubled;
-    std::fill(doubled.begin(), doubled.end(), Kinds(0));
+    const bool by_material = any_by_material(sets);
+    auto doubled = parallel_filled(surface.edges.size(), by_material ? Kinds(0) : doubled_edges(asked_of(sets)));
+    if (!by_material) return doubled;
     for (const PlacedSet& set : sets)
         if (const Kinds of_set = doubled_edges(asked_of(set)))
             parallel_for(doubled.size(), [&](std::size_t e) {
@@ -49,9 +49,9 @@ Array<Kinds> doubled_at_edges(const Surface& surface, const std::vector<PlacedSe
 StaticLines find_static(const Surface& surface, const std::vector<PlacedSet>& sets) {
     StaticLines lines;
     const SurfaceView seen{.surface = surface};
-    Array<std::uint8_t> any(surface.edges.size(), 0);
+    auto any = parallel_filled(surface.edges.size(), std::uint8_t(0));
     for (const PlacedSet& set : sets) {
-        Array<Kinds>& kinds = lines.kinds.emplace_back(surface.edges.size(), Kinds(0));
+        Array<Kinds>& kinds = lines.kinds.emplace_back(parallel_filled(surface.edges.size(), Kinds(0)));
         trace_kinds(set, seen, true, kinds);
         parallel_for(kinds.size(), [&](std::size_t e) { any[e] |= kinds[e] != 0; });
     }
@@ -70,9 +70,10 @@ struct Labelled {
 Labelled label_edges(const StaticLines& lines, const std::vector<Array<Kinds>>& kinds) {
     Labelled labelled;
     const std::size_t edges = kinds[0].size();
-    Array<std::uint8_t> label(edges, unlabelled);
-    labelled.kinds.assign(edges, 0);
+    auto label = parallel_filled(edges, unlabelled);
+    labelled.kinds.resize(edges);
     parallel_for(edges, [&](std::size_t e) {
+        labelled.kinds[e] = 0;
         for (std::size_t s = kinds.size(); s-- > 0;)
             if (kinds[s][e]) {
                 label[e] = static_cast<std::uint8_t>(s);
@@ -99,7 +100,7 @@ Array<Kinds> kinds_of(const Chains& chains, const Array<Kinds>& edge_kinds) {
 
 /// Number of lines at each vertex, capped at 2.
 Array<std::uint8_t> lines_at_vertices(const Surface& surface, In<Index> kept, In<Index> seen) {
-    Array<std::uint8_t> count(surface.vertex_count(), 0);
+    auto count = parallel_filled(std::size_t(surface.vertex_count()), std::uint8_t(0));
     for (const In<Index> edges : {kept, seen})
         for (Index e : edges)
             for (Index v : {surface.edges[e].x, surface.edges[e].y}) count[v] = std::min(count[v] + 1, 2);
@@ -126,12 +127,12 @@ FoundEdges find_edges(SurfaceView seen, const std::vector<PlacedSet>& sets, std:
     const Surface& surface = seen.surface;
     FoundEdges found;
     found.kept = surface.cache().get<StaticLines>(sets_hash, [&] { return find_static(surface, sets); });
-    found.kinds = found.kept->kinds;
+    for (const Array<Kinds>& kinds : found.kept->kinds) found.kinds.push_back(parallel_copy(kinds));
     if (!of_view) return found;
     seen.facing = facing_of(seen, edge_on_to_viewer);
     const Kinds doubled = doubled_edges(asked_of(sets));
     if (doubled) found.doubled = doubled_at_edges(surface, sets);
-    Array<Kinds> all(found.doubled.size(), 0);
+    auto all = parallel_filled(found.doubled.size(), Kinds(0));
     for (std::size_t s = 0; s < sets.size(); ++s) {
         trace_kinds(sets[s], seen, false, found.kinds[s]);
         parallel_for(all.size(), [&](std::size_t e) { all[e] |= found.kinds[s][e]; });

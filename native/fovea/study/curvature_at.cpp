@@ -40,7 +40,7 @@ void add(double k1, double k2, const double* C, const dvec2& axis, double weight
 CurvatureD principal(const Forms& forms, const dvec3& x, const dvec3& y, const dvec3& normal) {
     const double mean = 0.5 * (forms.xx + forms.yy), half = 0.5 * (forms.xx - forms.yy);
     const double radius = std::sqrt(half * half + forms.xy * forms.xy), sign = mean < 0.0 ? -1.0 : 1.0;
-    CurvatureD made;
+    CurvatureD made{};
     made.normal = normal;
     made.k1 = mean + sign * radius;
     made.k2 = mean - sign * radius;
