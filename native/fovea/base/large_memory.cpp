@@ -21,7 +21,7 @@ namespace fovea::base {
 namespace {
 
 /// Size of the block for an array: at most a quarter larger, so that arrays of similar size serve each other. What is
-/// not touched takes no memory.
+/// not touched takes no memory, but for the rest of a page.
 std::size_t size_class(std::size_t bytes) {
     const std::size_t step = std::bit_floor(bytes) / 4;
     return (bytes + step - 1) / step * step;

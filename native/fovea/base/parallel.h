@@ -109,7 +109,7 @@ Array<T> parallel_collect(std::size_t count, std::size_t size, const Body& body)
     Array<T> all(starts.back());
     const std::size_t copied_at_once = parts.size() * 4096 / (all.size() + 1) + 1;  // parts
     parallel_for(parts.size(), copied_at_once, [&](std::size_t b) {
-        std::ranges::copy(parts[b], all.begin() + starts[b]);
+        std::ranges::move(parts[b], all.begin() + starts[b]);
         Array<T>().swap(parts[b]);
     });
     return all;

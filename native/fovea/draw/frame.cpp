@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdlib>
+#include <tuple>
 
 #include <fovea/base/check.h>
 #include <fovea/color/map.h>

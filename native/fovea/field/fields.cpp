@@ -96,8 +96,8 @@ std::shared_ptr<const Choice> choice_of(const Surface& surface, const Neighbors&
 }
 
 /// The least curvature, without its sign, up to which there is more than `share` of all curvatures, each weighted with
-/// the area around its vertex; nothing where there is no area. Found byte by byte: the bits of numbers are in the order
-/// of the numbers.
+/// the area around its vertex; nothing where there is no area. Found byte by byte: without their sign, the bits of
+/// numbers are in the order of the numbers.
 std::optional<float> quantile_of(const Array<Curvature>& curvature, const Array<float>& areas, double share) {
     using Sums = std::array<double, 256>;
     std::uint32_t found = 0, known = 0;  // the bytes found so far, and a mask of them

@@ -6,6 +6,7 @@
 //      almost edge-on lie slightly behind one another along a contour: a continuation narrower than a pen is ignored.
 #include <algorithm>
 
+#include <fovea/base/parallel.h>
 #include <fovea/line/edges.h>
 #include <fovea/line/outlines.h>
 

@@ -213,7 +213,7 @@ class Surface : public SurfaceArrays {
     };
     Outline outline_of(In<Index> corners) const;
     bool is_flat(In<Index> corners, const Outline& outline) const;
-    /// Also returns the outlines of all others; of those it skips, nothing.
+    /// Also returns the outlines of all others; those of polygons that it skips are not set.
     Array<Outline> find_degenerate(Array<std::uint8_t>& skip);
     void find_duplicates(Array<std::uint8_t>& skip);
     void triangulate(const Array<std::uint8_t>& skip);

@@ -258,6 +258,7 @@ void Surface::build_edge_sides(const Array<std::uint8_t>& skip) {
         }
     });
 
+    edges.reserve(mesh_edges + diagonals.size());  // resize alone would double it
     edges.resize(mesh_edges + diagonals.size());
     auto& offsets = edge_rows.offsets;
     offsets = parallel_map<Index>(mesh_edges + diagonals.size(), [&](std::size_t e) {

@@ -4,6 +4,7 @@
 #include <glm/gtc/constants.hpp>
 #include <limits>
 
+#include <fovea/base/parallel.h>
 #include <fovea/path/chain.h>
 
 namespace fovea::path {

@@ -42,7 +42,7 @@ vec3 least_corner(const Surface& surface, Index triangle) {
 void leave_out_repeated(const Surface& surface, Array<Index>& order) {
     constexpr int crowd = 16;
     constexpr std::size_t last_few = 8;
-    // Of nearly all surfaces none does: then none coincides with one of the last few, as all of these differ.
+    // In nearly all surfaces no triangle coincides with one of the last few before it: then nothing is left out.
     std::atomic<bool> any = false;
     parallel_blocks(order.size(), 1 << 14, [&](std::size_t, std::size_t begin, std::size_t end) {
         std::array<vec3, last_few> last;
@@ -50,7 +50,7 @@ void leave_out_repeated(const Surface& surface, Array<Index>& order) {
         bool met = false;
         for (std::size_t i = begin - std::min(begin, last_few); i < end; ++i) {
             const vec3 least = least_corner(surface, order[i]);
-            for (std::size_t k = 1; k <= last_few; ++k)
+            for (std::size_t k = 1; k <= std::min(i, last_few); ++k)
                 if (least == last[(i - k) % last_few]) met |= coincide(surface, order[i - k], order[i]);
             last[i % last_few] = least;
         }
