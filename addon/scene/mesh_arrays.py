@@ -1,16 +1,21 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Reads Blender's mesh attributes into NumPy arrays, in buffers that are reused for every mesh."""
+"""Reads Blender's mesh attributes into NumPy arrays: where Blender has them, or in buffers that are reused for every
+mesh."""
 
+import ctypes
 import math
 from dataclasses import dataclass
 
 import bpy
 import numpy as np
 
+LEAST_IN_PLACE = 1 << 20  # bytes of an attribute: fewer are copied sooner than they are found
+
 
 @dataclass(frozen=True)
 class MeshArrays:
-    """V vertices, E edges, C corners, F polygons. Views into shared buffers: valid until the next mesh is read."""
+    """V vertices, E edges, C corners, F polygons. Views into shared buffers or into the mesh: valid until the next mesh
+    is read, and as long as this one."""
 
     positions: np.ndarray  # (V, 3) float32, object space
     edge_verts: np.ndarray  # (E, 2) int32
@@ -146,10 +151,28 @@ def read_offsets(mesh, offsets):
 
 def _required(mesh, name, buffers, shape, dtype):
     """An attribute that exists whenever its domain has elements."""
-    array = buffers.take(name, shape, dtype)
-    if array.size:
-        mesh.attributes[name].data.foreach_get("vector" if name == "position" else "value", array.ravel())
-    return array
+    if not math.prod(shape):
+        return buffers.take(name, shape, dtype)
+    values = mesh.attributes[name].data
+    found = _in_place(values, shape, dtype) if mesh.is_runtime_data else None
+    if found is None:
+        found = buffers.take(name, shape, dtype)
+        values.foreach_get("vector" if name == "position" else "value", found.ravel())
+    return found
+
+
+def _in_place(values, shape, dtype):
+    """The values of an attribute where an evaluated mesh has them, which nobody else changes: read-only, valid as long
+    as the mesh. None where they are few, or do not lie in memory as those of such an array do."""
+    length = math.prod(shape) * np.dtype(dtype).itemsize
+    if length < LEAST_IN_PLACE:
+        return None
+    first, last = values[0].as_pointer(), values[len(values) - 1].as_pointer()
+    if len(values) != shape[0] or (last - first) * shape[0] != length * (shape[0] - 1):
+        return None
+    found = np.frombuffer((ctypes.c_byte * length).from_address(first), dtype).reshape(shape)
+    found.flags.writeable = False
+    return found
 
 
 def _optional(mesh, name, buffers, shape, dtype):
