@@ -165,10 +165,10 @@ def _in_place(values, shape, dtype):
     """The values of an attribute where an evaluated mesh has them, which nobody else changes: read-only, valid as long
     as the mesh. None where they are few, or do not lie in memory as those of such an array do."""
     length = math.prod(shape) * np.dtype(dtype).itemsize
-    if length < LEAST_IN_PLACE:
+    if length < LEAST_IN_PLACE or len(values) != shape[0]:
         return None
-    first, last = values[0].as_pointer(), values[len(values) - 1].as_pointer()
-    if len(values) != shape[0] or (last - first) * shape[0] != length * (shape[0] - 1):
+    first, last = values[0].as_pointer(), values[shape[0] - 1].as_pointer()
+    if (last - first) * shape[0] != length * (shape[0] - 1):
         return None
     found = np.frombuffer((ctypes.c_byte * length).from_address(first), dtype).reshape(shape)
     found.flags.writeable = False

@@ -11,29 +11,18 @@ from pictures import box_scene, drawn
 from the_addon import part, use_style
 
 mesh_arrays, native, session = part("scene.mesh_arrays"), part("native"), part("render.session")
-SIDE = 400  # vertices; of these each array of a whole mesh has more than LEAST_IN_PLACE bytes
+AROUND = 500  # vertices of a ball; each of its WHOLE has more than LEAST_IN_PLACE bytes
 WHOLE = ("positions", "edge_verts", "corner_verts", "corner_edges")  # of MeshArrays: those that are read in place
 
 
 @pytest.fixture
 def obj():
-    """A wavy grid with marks, materials and flat faces."""
+    """A ball with marks, two materials and a flat face."""
     box_scene()
-    mesh = bpy.data.meshes.new("Grid")
-    at = np.arange(SIDE * SIDE).reshape(SIDE, SIDE)
-    corners = np.stack([at[:-1, :-1], at[:-1, 1:], at[1:, 1:], at[1:, :-1]], axis=-1).astype(np.int32)
-    points = np.stack([at // SIDE, at % SIDE, np.sin(at)], axis=-1).astype(np.float32)
-    mesh.vertices.add(at.size)
-    mesh.vertices.foreach_set("co", points.ravel())
-    mesh.loops.add(corners.size)
-    mesh.loops.foreach_set("vertex_index", corners.ravel())
-    mesh.polygons.add(corners.size // 4)
-    mesh.polygons.foreach_set("loop_start", np.arange(0, corners.size, 4, dtype=np.int32))
-    mesh.update(calc_edges=True)
+    made = ball("Ball", (0, 0, 0), AROUND)
+    mesh = made.data
     mesh.shade_smooth()
     mesh.polygons[7].use_smooth, mesh.polygons[9].material_index, mesh.edges[5].use_edge_sharp = False, 1, True
-    made = bpy.data.objects.new("Grid", mesh)
-    bpy.context.scene.collection.objects.link(made)
     return made
 
 
