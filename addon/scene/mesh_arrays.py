@@ -137,7 +137,7 @@ def _offsets(core, mesh, rings, offsets):
     polygons, corners = len(offsets) - 1, len(rings["corner_verts"])
     each = corners // polygons if polygons else 0
     if each in (3, 4) and corners == each * polygons and core.all_polygons_have(each, **rings):
-        offsets[:] = np.arange(0, corners + 1, each)
+        offsets[:] = np.arange(0, corners + 1, each, dtype=np.int32)
         return offsets
     return read_offsets(mesh, offsets)
 

@@ -246,9 +246,8 @@ TEST(Folds, ThatAreLongAreCreasesWithoutFields) {
     groove.shape = Shape::rounded;
     for (const double least : {6.0, 100.0}) {  // in sizes of features, of a twentieth of the radius at most
         const auto surface = groove.surface();
-        Array<draw::Kinds> kinds(surface->edges.size(), 0);
-        rule_of<draw::EdgeRule>("crease").mark({.surface = *surface}, {30.0, 1.0, least}, 1, kinds);
-        EXPECT_EQ(std::ranges::count(kinds, 1u), least < 10.0 ? 2 : 0);
+        const auto& crease = rule_of<draw::EdgeRule>("crease");
+        EXPECT_EQ(crease.find({.surface = *surface}, {30.0, 1.0, least}).size(), least < 10.0 ? 2u : 0u);
         EXPECT_EQ(fields_reason(*surface).empty(), least < 10.0);
     }
 }

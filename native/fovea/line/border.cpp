@@ -23,9 +23,9 @@ bool has_length(const Surface& surface, const Edge& edge) {
     return square > 0.0 && std::isfinite(square);
 }
 
-void mark_border(const SurfaceView& seen, const Border& values, Kinds bit, Array<Kinds>& kinds) {
+Array<Index> find_border(const SurfaceView& seen, const Border& values) {
     const Surface& surface = seen.surface;
-    mark_edges(surface.mesh_edges, bit, kinds, [&](Index e) {
+    return edges_where(surface.mesh_edges, [&](Index e) {
         if (surface.edge_rows.size(e) == 1) return true;
         return values.loose && surface.is_loose(e) && has_length(surface, surface.edges[e]);
     });
@@ -41,7 +41,7 @@ extern const LineDefinition border = {
     .scope = Scope::surface,
     .importance = 0.6,
     .parameters = border_parameters,
-    .rule = EdgeRule{border_parameters.of(mark_border)},
+    .rule = EdgeRule{border_parameters.of(find_border)},
     .usual = true,
 };
 

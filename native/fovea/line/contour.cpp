@@ -13,9 +13,9 @@
 namespace fovea::line {
 namespace {
 
-void mark_contour(const SurfaceView& seen, const Values&, Kinds bit, Array<Kinds>& kinds) {
+Array<Index> find_contour(const SurfaceView& seen, const Values&) {
     const Surface& surface = seen.surface;
-    mark_edges(surface.edges.size(), bit, kinds, [&](Index e) {
+    return edges_where(surface.edges.size(), [&](Index e) {
         const In<EdgeSide> sides = surface.sides(e);
         if (sides.size() < 2) return false;
         // A front-facing facet that winds along the edge is to its left in the image.
@@ -35,7 +35,7 @@ extern const LineDefinition contour = {
         "Where a surface turns away from the viewer: edges between front and back faces. Freestyle calls it Silhouette",
     .scope = Scope::view,
     .importance = outline_importance,
-    .rule = EdgeRule{mark_contour},
+    .rule = EdgeRule{find_contour},
     .smooth_twin = &smooth_contour,
     .outlines = true,
     .usual = true,

@@ -35,13 +35,13 @@ const Parameters<Crease> crease_parameters{
      "Least length of a crease that touches no edge marked sharp, in sizes of the features, on surfaces that are "
      "not hard"}};
 
-void mark_crease(const SurfaceView& seen, const Crease& values, Kinds bit, Array<Kinds>& kinds) {
+Array<Index> find_crease(const SurfaceView& seen, const Crease& values) {
     const Surface& surface = seen.surface;
     const double limit = cosine(glm::radians(values.angle));
     const Shape shape = field::shape_of(surface);
     const bool hard = shape == Shape::hard;
     Array<std::uint8_t> asked(surface.mesh_edges, 0);  // creases if they are folds
-    mark_edges(surface.mesh_edges, bit, kinds, [&](Index e) {
+    Array<Index> found = edges_where(surface.mesh_edges, [&](Index e) {
         const In<EdgeSide> sides = surface.sides(e);
         if (sides.size() < 2) return false;
         if (sides.size() > 2 || (values.sharp_marks && (surface.edge_marks[e] & mark_sharp))) return true;
@@ -50,15 +50,15 @@ void mark_crease(const SurfaceView& seen, const Crease& values, Kinds bit, Array
         return !asked[e];
     });
     const bool any_asked = std::ranges::find(asked, 1) != asked.end();
-    if (shape == Shape::smooth && !any_asked) return;
+    if (shape == Shape::smooth && !any_asked) return found;
     const field::FacetEdges edges(surface);
     if (shape != Shape::smooth) {
-        const auto known =
-            parallel_map<std::uint8_t>(surface.mesh_edges, [&](std::size_t e) { return (kinds[e] & bit) != 0; });
+        Array<std::uint8_t> known(surface.mesh_edges, 0);
+        for (const Index e : found) known[e] = 1;
         const Array<std::uint8_t> bevels = find_bevels(edges, values.angle, known);
-        mark_edges(surface.mesh_edges, bit, kinds, [&](Index e) { return bevels[e] != 0; });
+        found = either(found, edges_where(surface.mesh_edges, [&](Index e) { return bevels[e] != 0; }));
     }
-    if (!any_asked) return;
+    if (!any_asked) return found;
     // Fields take long, and most folds are longer than any feature size.
     const double surely_long = values.length * field::greatest_feature_size(surface);
     std::function<bool(double)> is_short;
@@ -69,7 +69,7 @@ void mark_crease(const SurfaceView& seen, const Crease& values, Kinds bit, Array
             return length < values.length * *size;
         };
     const Array<std::uint8_t> folds = find_folds(edges, shape, values.angle, is_short);
-    mark_edges(surface.mesh_edges, bit, kinds, [&](Index e) { return folds[e] != 0; });
+    return either(found, edges_where(surface.mesh_edges, [&](Index e) { return folds[e] != 0; }));
 }
 
 }  // namespace
@@ -82,7 +82,7 @@ extern const LineDefinition crease = {
     .scope = Scope::surface,
     .importance = 0.5,
     .parameters = crease_parameters,
-    .rule = EdgeRule{crease_parameters.of(mark_crease)},
+    .rule = EdgeRule{crease_parameters.of(find_crease)},
     .usual = true,
 };
 

@@ -66,10 +66,9 @@ enum class Scope {
 
 struct LineDefinition;
 
-/// Lines along edges: sets `bit` in kinds[e] for every edge e (mesh edges and diagonals) that belongs to the
-/// definition.
+/// Lines along edges: the edges (mesh edges and diagonals) that belong to the definition, ascending.
 struct EdgeRule {
-    std::function<void(const SurfaceView& seen, const Values& values, Kinds bit, Array<Kinds>& kinds)> mark;
+    std::function<Array<Index>(const SurfaceView& seen, const Values& values)> find;
     /// A definition among whose edges this one chooses: short gaps along its chains are closed (path/bridge_folds.h).
     const LineDefinition* part_of = nullptr;
 };

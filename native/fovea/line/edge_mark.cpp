@@ -13,11 +13,11 @@ struct EdgeMark {
 const Parameters<EdgeMark> edge_mark_parameters{
     {&EdgeMark::seams, "seams", "Seams", false, "Draw edges marked as UV seams, too"}};
 
-void mark_marked(const SurfaceView& seen, const EdgeMark& values, Kinds bit, Array<Kinds>& kinds) {
+Array<Index> find_marked(const SurfaceView& seen, const EdgeMark& values) {
     const Surface& surface = seen.surface;
     const int wanted = mark_edge | (values.seams ? mark_seam : 0);
-    mark_edges(surface.mesh_edges, bit, kinds,
-               [&](Index e) { return (surface.edge_marks[e] & wanted) != 0 && surface.edge_rows.size(e) > 0; });
+    return edges_where(surface.mesh_edges,
+                       [&](Index e) { return (surface.edge_marks[e] & wanted) != 0 && surface.edge_rows.size(e) > 0; });
 }
 
 }  // namespace
@@ -30,7 +30,7 @@ extern const LineDefinition edge_mark = {
     .scope = Scope::surface,
     .importance = 0.65,
     .parameters = edge_mark_parameters,
-    .rule = EdgeRule{edge_mark_parameters.of(mark_marked)},
+    .rule = EdgeRule{edge_mark_parameters.of(find_marked)},
     .reads_edge_marks = true,
     .usual = true,
 };

@@ -2,17 +2,29 @@
 // Loop over edges, shared by definitions on mesh edges.
 #pragma once
 
+#include <algorithm>
+#include <iterator>
+
 #include <fovea/base/parallel.h>
 #include <fovea/line/definition.h>
 
 namespace fovea::line {
 
-/// Sets `bit` on the edges [0, count) for which `is_line(edge)` holds.
+/// The edges [0, count) for which `is_line(edge)` holds.
 template <typename IsLine>
-void mark_edges(std::size_t count, Kinds bit, Array<Kinds>& kinds, const IsLine& is_line) {
-    parallel_for(count, [&](std::size_t e) {
-        if (is_line(static_cast<Index>(e))) kinds[e] |= bit;
+Array<Index> edges_where(std::size_t count, const IsLine& is_line) {
+    return parallel_collect<Index>(count, 1 << 14, [&](std::size_t begin, std::size_t end, Array<Index>& edges) {
+        for (auto e = static_cast<Index>(begin); e < end; ++e)
+            if (is_line(e)) edges.push_back(e);
     });
+}
+
+/// The edges of one of two ascending lists.
+inline Array<Index> either(const Array<Index>& first, const Array<Index>& second) {
+    Array<Index> edges;
+    edges.reserve(first.size() + second.size());
+    std::ranges::set_union(first, second, std::back_inserter(edges));
+    return edges;
 }
 
 }  // namespace fovea::line

@@ -8,9 +8,9 @@
 namespace fovea::line {
 namespace {
 
-void mark_material_boundary(const SurfaceView& seen, const Values&, Kinds bit, Array<Kinds>& kinds) {
+Array<Index> find_material_boundary(const SurfaceView& seen, const Values&) {
     const Surface& surface = seen.surface;
-    mark_edges(surface.mesh_edges, bit, kinds, [&](Index e) {
+    return edges_where(surface.mesh_edges, [&](Index e) {
         const In<EdgeSide> sides = surface.sides(e);
         return std::ranges::any_of(
             sides, [&](EdgeSide side) { return surface.material(side.facet()) != surface.material(sides[0].facet()); });
@@ -26,7 +26,7 @@ extern const LineDefinition material_boundary = {
     .description = "Where two materials meet on a surface",
     .scope = Scope::surface,
     .importance = 0.4,
-    .rule = EdgeRule{mark_material_boundary},
+    .rule = EdgeRule{find_material_boundary},
     .usual = true,
 };
 

@@ -68,12 +68,15 @@ class Beyond {
     const bool mirrored_;
 };
 
-void mark_silhouette(const SurfaceView& seen, const Values& values, Kinds bit, Array<Kinds>& kinds) {
-    auto candidates = parallel_filled(seen.surface.edges.size(), Kinds(0));
-    std::get<EdgeRule>(contour.rule).mark(seen, values, 1, candidates);
-    std::get<EdgeRule>(border.rule).mark(seen, without_loose, 1, candidates);
+Array<Index> find_silhouette(const SurfaceView& seen, const Values& values) {
+    const Array<Index> candidates = either(std::get<EdgeRule>(contour.rule).find(seen, values),
+                                           std::get<EdgeRule>(border.rule).find(seen, without_loose));
     const Beyond beyond(seen);
-    mark_edges(candidates.size(), bit, kinds, [&](Index e) { return candidates[e] && beyond.is_outer(e); });
+    return parallel_collect<Index>(
+        candidates.size(), 256, [&](std::size_t begin, std::size_t end, Array<Index>& edges) {
+            std::copy_if(candidates.begin() + begin, candidates.begin() + end, std::back_inserter(edges),
+                         [&](Index e) { return beyond.is_outer(e); });
+        });
 }
 
 }  // namespace
@@ -86,7 +89,7 @@ extern const LineDefinition silhouette = {
         "The outer boundary of an object, against the background or another object. Freestyle calls it Contour",
     .scope = Scope::scene,
     .importance = outline_importance,
-    .rule = EdgeRule{mark_silhouette, &contour},
+    .rule = EdgeRule{find_silhouette, &contour},
     .smooth_twin = &smooth_silhouette,
     .slow = true,
     .stand_ins = {{&contour}, {&border, {{"loose", 0.0}}}},

@@ -131,14 +131,15 @@ void check_mesh(const std::string& name, const MeshArrays& mesh) {
 
 Surface::Surface(std::string name, const MeshArrays& mesh) : name_(std::move(name)) {
     take_topology(mesh);
-    build_edge_corners();
     set_positions(mesh.positions);
+    edge_corners_ = {};  // of no use to surfaces that never move
 }
 
 void Surface::set_positions(In<vec3> moved, bool refit) {
     check(positions.empty() || moved.size() == vertex_count(), name_ + ": " + std::to_string(moved.size()) +
                                                                    " positions for " + std::to_string(vertex_count()) +
                                                                    " vertices; give one for each");
+    if (edge_corners_.count() == 0) build_edge_corners();
     positions.resize(moved.size() + 1);
     parallel_for(moved.size(), [&](std::size_t v) { positions[v] = moved[v]; });
     positions.back() = vec3(0.0f);

@@ -242,7 +242,7 @@ class Surface : public SurfaceArrays {
     Rows polygons_;  // corners of polygons
     Array<Index> corner_verts_;
     Array<Index> corner_edges_;  // per corner; none where the mesh names an edge between other vertices
-    Lists<Index> edge_corners_;  // corners whose side runs along each mesh edge
+    Lists<Index> edge_corners_;  // corners whose side runs along each mesh edge; empty until the surface moves
     NgonTriangles ngon_triangles_;
     Array<std::uint8_t> polygon_occludes_;
     Rows polygon_triangles_;

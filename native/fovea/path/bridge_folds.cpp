@@ -5,6 +5,7 @@
 #include <limits>
 
 #include <fovea/base/parallel.h>
+#include <fovea/line/edges.h>
 #include <fovea/path/chain.h>
 
 namespace fovea::path {
@@ -23,39 +24,43 @@ double length_in_image(const SurfaceView& seen, Index edge) {
     return glm::distance(to_pixels(view, a), to_pixels(view, b)) / view.reference_scale;
 }
 
-/// Bridges the folds of one chain of edges.
-void bridge(const SurfaceView& seen, In<Index> edges, bool closed, Kinds bit, Array<Kinds>& kinds) {
-    const std::size_t count = edges.size();
-    const auto has = [&](std::size_t i) { return (kinds[edges[i % count]] & bit) != 0; };
+/// Appends the edges of the folds of one chain, those of `all` with the numbers `chain`. `is_line`: per edge of `all`.
+void bridge(const SurfaceView& seen, const Array<Index>& all, In<Index> chain, bool closed, In<std::uint8_t> is_line,
+            Array<Index>& folds) {
+    const std::size_t count = chain.size();
+    const auto has = [&](std::size_t i) { return is_line[chain[i % count]] != 0; };
+    const auto edge = [&](std::size_t i) { return all[chain[i % count]]; };
     std::size_t first = 0;
     while (first < count && !has(first)) ++first;
     if (first == count) return;
-    // From an edge that has the bit to the next one; around a closed chain, until the first one is reached again.
+    // From a line's edge to the next one; around a closed chain, until the first one is reached again.
     const std::size_t end = closed ? first + count : count - 1;
     for (std::size_t i = first; i < end;) {
         std::size_t next = i + 1;
         double length = 0.0;
-        while (next <= end && !has(next)) length += length_in_image(seen, edges[next++ % count]);
+        while (next <= end && !has(next)) length += length_in_image(seen, edge(next++));
         if (next <= end && length <= longest)
-            for (std::size_t k = i + 1; k < next; ++k) kinds[edges[k % count]] |= bit;
+            for (std::size_t k = i + 1; k < next; ++k) folds.push_back(edge(k));
         i = next;
     }
 }
 
 }  // namespace
 
-void bridge_folds(const SurfaceView& seen, const LineDefinition& whole, Kinds bit, Array<Kinds>& kinds) {
-    auto candidates = parallel_filled(kinds.size(), Kinds(0));
-    std::get<EdgeRule>(whole.rule).mark(seen, default_values(whole), 1, candidates);
-    Array<Index> edges;
-    for (Index e = 0; e < candidates.size(); ++e)
-        if (candidates[e] || (kinds[e] & bit)) edges.push_back(e);
-    const Array<std::uint8_t> labels(edges.size(), 0);
-    const Chains chains = chain(seen, true, edges, labels, Array<double>{glm::pi<double>()});
-    parallel_for(chains.rows.count(), 16, [&](std::size_t c) {
-        const In<Index> of_chain(chains.edge.data() + chains.rows.begin(Index(c)), chains.rows.size(Index(c)) - 1);
-        bridge(seen, of_chain, chains.closed[c], bit, kinds);
+Array<Index> bridge_folds(const SurfaceView& seen, const LineDefinition& whole, const Array<Index>& edges) {
+    const Array<Index> all = either(std::get<EdgeRule>(whole.rule).find(seen, default_values(whole)), edges);
+    Array<std::uint8_t> is_line(all.size(), 0);
+    for (std::size_t i = 0, k = 0; k < edges.size(); ++i)
+        if (all[i] == edges[k]) is_line[i] = 1, ++k;
+    const Array<std::uint8_t> labels(all.size(), 0);
+    const Chains chains = chain(seen, true, all, labels, Array<double>{glm::pi<double>()});
+    auto folds = parallel_collect<Index>(chains.rows.count(), 16, [&](std::size_t begin, std::size_t end, auto& found) {
+        for (auto c = static_cast<Index>(begin); c < end; ++c)
+            bridge(seen, all, In<Index>(chains.number).subspan(chains.rows.begin(c), chains.rows.size(c) - 1),
+                   chains.closed[c], is_line, found);
     });
+    parallel_sort(folds.begin(), folds.end());
+    return either(edges, folds);
 }
 
 }  // namespace fovea::path

@@ -98,6 +98,7 @@ Chains chain(const SurfaceView& seen, bool in_image, In<Index> edges, In<std::ui
     Chains chains;
     chains.vertex.reserve(edges.size() * 2);
     chains.edge.reserve(edges.size() * 2);
+    chains.number.reserve(edges.size() * 2);
     Index anchor = none;
     std::uint8_t label = 0;
     const auto add = [&](End end) {
@@ -105,6 +106,7 @@ Chains chain(const SurfaceView& seen, bool in_image, In<Index> edges, In<std::ui
         label = labels[end / 2];
         chains.vertex.push_back(links.vertex(end));
         chains.edge.push_back(edges[end / 2]);
+        chains.number.push_back(end / 2);
     };
     const auto finish = [&](bool closed) {
         chains.rows.offsets.push_back(static_cast<Index>(chains.vertex.size()));

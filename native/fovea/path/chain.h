@@ -12,8 +12,9 @@ struct Chains {
     Array<std::uint8_t> closed, label;  ///< per chain
     Array<Index> anchor;                ///< per chain: its lowest edge index, from which ids are made
     Array<Index> vertex;                ///< per point
-    /// Per point: edge to the next point; the last point repeats the edge before it.
-    Array<Index> edge;
+    /// Per point: the edge to the next point, and its number among the edges that were chained; the last point repeats
+    /// the edge before it.
+    Array<Index> edge, number;
 };
 
 /// Links edges of equal label that share a vertex. Two edges are linked only if the path turns by at most the label's

@@ -110,23 +110,30 @@ Array<std::uint8_t> near_curves(const Surface& surface, const std::vector<const 
     return near;
 }
 
-void drop_doubled_edges(const Surface& surface, In<std::uint8_t> near, In<Kinds> bits, Array<Kinds>& kinds) {
+MarkedEdges without_doubled(const MarkedEdges& marked, const Surface& surface, In<std::uint8_t> near,
+                            const std::function<Kinds(Index)>& doubled) {
     const auto neighbors = neighbors_in(surface);
-    parallel_for(kinds.size(), [&](std::size_t e) {
-        const Edge edge = surface.edges[e];
-        if (!(kinds[e] & bits[e]) || !near[edge.x] || !near[edge.y]) return;
-        if (!is_hard(surface, *neighbors, static_cast<Index>(e))) kinds[e] &= ~bits[e];
+    auto left = parallel_map<MarkedEdge>(marked.size(), [&](std::size_t i) {
+        MarkedEdge of = marked[i];
+        const Edge edge = surface.edges[of.edge];
+        const Kinds replaced = near[edge.x] && near[edge.y] ? of.kinds & doubled(of.edge) : 0;
+        if (replaced && !is_hard(surface, *neighbors, of.edge)) of.kinds &= ~replaced;
+        return of;
     });
+    std::erase_if(left, [](const MarkedEdge& of) { return of.kinds == 0; });
+    return left;
 }
 
-Array<std::uint8_t> at_hard_edges(const Surface& surface, Kinds bits, In<Kinds> kinds) {
+Array<std::uint8_t> at_hard_edges(const Surface& surface, Kinds kinds, const std::vector<MarkedEdges>& sets) {
     const auto neighbors = neighbors_in(surface);
     Array<std::uint8_t> at(surface.vertex_count(), 0);
-    parallel_for(kinds.size(), [&](std::size_t e) {
-        if (!(kinds[e] & bits) || !is_hard(surface, *neighbors, static_cast<Index>(e))) return;
-        for (Index v : {surface.edges[e].x, surface.edges[e].y})
-            std::atomic_ref(at[v]).store(1, std::memory_order_relaxed);
-    });
+    for (const MarkedEdges& marked : sets)
+        parallel_for(marked.size(), [&](std::size_t i) {
+            const Index e = marked[i].edge;
+            if (!(marked[i].kinds & kinds) || !is_hard(surface, *neighbors, e)) return;
+            for (Index v : {surface.edges[e].x, surface.edges[e].y})
+                std::atomic_ref(at[v]).store(1, std::memory_order_relaxed);
+        });
     return at;
 }
 

@@ -2,10 +2,12 @@
 // Removal of duplicates: lines that several definitions would draw almost at the same place.
 #pragma once
 
+#include <functional>
 #include <map>
 
 #include <fovea/line/definition.h>
 #include <fovea/path/chain_curves.h>
+#include <fovea/path/marked_edges.h>
 
 namespace fovea::path {
 
@@ -29,12 +31,13 @@ Array<std::uint8_t> near_smooth_contour(const SurfaceView& seen, In<std::uint8_t
 /// Per vertex: 1 if it is within two triangles of some curves, but not at their ends: there another line goes on.
 Array<std::uint8_t> near_curves(const Surface& surface, const std::vector<const CurveChains*>& curves);
 
-/// Clears bits[e] of kinds[e] for edges close to a smooth contour, which replaces them, except where the mesh has a
-/// hard edge. `near`: from near_curves. `bits`: per edge.
-void drop_doubled_edges(const Surface& surface, In<std::uint8_t> near, In<Kinds> bits, Array<Kinds>& kinds);
+/// Without the kinds doubled(edge) of edges close to a smooth contour, which replaces them, except where the mesh has a
+/// hard edge. `near`: from near_curves.
+MarkedEdges without_doubled(const MarkedEdges& marked, const Surface& surface, In<std::uint8_t> near,
+                            const std::function<Kinds(Index edge)>& doubled);
 
-/// Per vertex: 1 at the ends of hard edges that have one of `bits` in `kinds`.
-Array<std::uint8_t> at_hard_edges(const Surface& surface, Kinds bits, In<Kinds> kinds);
+/// Per vertex: 1 at the ends of hard edges with lines of one of `kinds`.
+Array<std::uint8_t> at_hard_edges(const Surface& surface, Kinds kinds, const std::vector<MarkedEdges>& sets);
 
 /// Removes stretches longer than four mean side lengths on whose triangles at least `corners` vertices are `near` a
 /// line, which is drawn instead. Lines that cross or continue that line remain.

@@ -94,8 +94,7 @@ PlacementPaths extract_placement(const SurfaceView& seen, const std::vector<Plac
         sets_hash, [&] { return find_curves({.surface = seen.surface}, sets, true); });
     if (view_dependent) paths.seen_curves = find_curves(seen, sets, false, near, edges.hard);
     if (edges_of_view) {
-        const Array<std::uint8_t> drawn =
-            edges.doubled.empty() ? Array<std::uint8_t>() : near_drawn(seen.surface, paths);
+        const Array<std::uint8_t> drawn = edges.doubled ? near_drawn(seen.surface, paths) : Array<std::uint8_t>();
         paths.edges = std::make_shared<const EdgePaths>(chain_edges(seen, sets, sets_hash, std::move(edges), drawn));
     } else if (any_marks_edges(sets, true)) {
         paths.edges = cache.get<EdgePaths>(sets_hash, [&] {

@@ -3,99 +3,68 @@
 
 #include <algorithm>
 #include <glm/gtc/constants.hpp>
+#include <utility>
 
 #include <fovea/base/hash.h>
 #include <fovea/base/parallel.h>
 #include <fovea/line/look_at.h>
-#include <fovea/path/bridge_folds.h>
 #include <fovea/path/doubles.h>
 #include <fovea/path/paths.h>
 
 namespace fovea::path {
 namespace {
 
-constexpr std::uint8_t unlabelled = 255;
-
-void trace_kinds(const PlacedSet& set, const SurfaceView& seen, bool of_surface, Array<Kinds>& kinds) {
-    for (const LineKind& kind : set.kinds) {
-        const LineDefinition& definition = *line_definitions()[kind.definition];
-        const auto* edges = std::get_if<EdgeRule>(&definition.rule);
-        const Kinds bit = Kinds(1) << kind.definition;
-        if (!edges || (definition.scope == Scope::surface) != of_surface) continue;
-        edges->mark(seen, kind.values, bit, kinds);
-        if (edges->part_of) bridge_folds(seen, *edges->part_of, bit, kinds);
-    }
-    if (set.materials.empty()) return;
-    const auto wanted = [&](int material) { return set.has_material(material); };
-    parallel_for(kinds.size(), [&](std::size_t e) {
-        if (kinds[e] && !any_beside(seen.surface, static_cast<Index>(e), wanted)) kinds[e] = 0;
-    });
-}
-
-/// Per edge: mesh-edge contours whose smooth twin is requested on an adjacent face.
-Array<Kinds> doubled_at_edges(const Surface& surface, const std::vector<PlacedSet>& sets) {
-    const bool by_material = any_by_material(sets);
-    auto doubled = parallel_filled(surface.edges.size(), by_material ? Kinds(0) : doubled_edges(asked_of(sets)));
-    if (!by_material) return doubled;
-    for (const PlacedSet& set : sets)
-        if (const Kinds of_set = doubled_edges(asked_of(set)))
-            parallel_for(doubled.size(), [&](std::size_t e) {
-                const auto has = [&](int material) { return set.has_material(material); };
-                if (any_beside(surface, static_cast<Index>(e), has)) doubled[e] |= of_set;
-            });
-    return doubled;
-}
-
 StaticLines find_static(const Surface& surface, const std::vector<PlacedSet>& sets) {
     StaticLines lines;
     const SurfaceView seen{.surface = surface};
-    auto any = parallel_filled(surface.edges.size(), std::uint8_t(0));
-    for (const PlacedSet& set : sets) {
-        Array<Kinds>& kinds = lines.kinds.emplace_back(parallel_filled(surface.edges.size(), Kinds(0)));
-        trace_kinds(set, seen, true, kinds);
-        parallel_for(kinds.size(), [&](std::size_t e) { any[e] |= kinds[e] != 0; });
-    }
-    for (Index e = 0; e < any.size(); ++e)
-        if (any[e]) lines.edges.push_back(e);
+    for (const PlacedSet& set : sets)
+        lines.of_sets.push_back(mark_edges(set, static_cast<std::uint8_t>(lines.of_sets.size()), seen, true));
+    const MarkedEdges any = of_first_sets(surface.edges.size(), lines.of_sets);
+    lines.edges = parallel_map<Index>(any.size(), [&](std::size_t i) { return any[i].edge; });
     return lines;
 }
 
-/// Edges labeled with the first line set that has them: the edges of StaticLines, in their order, and the others.
+/// Edges that are chained, and the first line set that has them as their label.
 struct Labelled {
-    Array<std::uint8_t> kept_labels, seen_labels;
-    Array<Index> seen_edges;
-    Array<Kinds> kinds;  // per edge, of the set that has it
+    Array<Index> edges;
+    Array<std::uint8_t> labels;
+    Array<Kinds> kinds;  // of that set
+
+    void add(const MarkedEdge& marked) {
+        edges.push_back(marked.edge);
+        labels.push_back(marked.set);
+        kinds.push_back(marked.kinds);
+    }
 };
 
-Labelled label_edges(const StaticLines& lines, const std::vector<Array<Kinds>>& kinds) {
-    Labelled labelled;
-    const std::size_t edges = kinds[0].size();
-    auto label = parallel_filled(edges, unlabelled);
-    labelled.kinds.resize(edges);
-    parallel_for(edges, [&](std::size_t e) {
-        labelled.kinds[e] = 0;
-        for (std::size_t s = kinds.size(); s-- > 0;)
-            if (kinds[s][e]) {
-                label[e] = static_cast<std::uint8_t>(s);
-                labelled.kinds[e] = kinds[s][e];
-            }
-    });
-    const auto kept_label = [&](std::size_t i) { return label[lines.edges[i]]; };
-    labelled.kept_labels = parallel_map<std::uint8_t>(lines.edges.size(), kept_label);
-    std::size_t next = 0;
-    for (Index e = 0; e < edges; ++e) {
-        if (next < lines.edges.size() && lines.edges[next] == e) {
-            ++next;
-        } else if (label[e] != unlabelled) {
-            labelled.seen_edges.push_back(e);
-            labelled.seen_labels.push_back(label[e]);
-        }
+/// Those of `kept`, all of which have some, and the others.
+std::pair<Labelled, Labelled> label_edges(In<Index> kept, const MarkedEdges& marked) {
+    Labelled of_kept, others;
+    for (const MarkedEdge& of : marked) {
+        const std::size_t next = of_kept.edges.size();
+        (next < kept.size() && kept[next] == of.edge ? of_kept : others).add(of);
     }
-    return labelled;
+    return {std::move(of_kept), std::move(others)};
 }
 
-Array<Kinds> kinds_of(const Chains& chains, const Array<Kinds>& edge_kinds) {
-    return parallel_map<Kinds>(chains.edge.size(), [&](std::size_t i) { return edge_kinds[chains.edge[i]]; });
+/// Drops mesh-edge contours beside a smooth one, where that is requested on a face at the edge.
+void drop_doubled(const Surface& surface, const std::vector<PlacedSet>& sets, In<std::uint8_t> near,
+                  std::vector<MarkedEdges>& of_sets) {
+    std::vector<Kinds> doubled;
+    for (const PlacedSet& set : sets) doubled.push_back(doubled_edges(asked_of(set)));
+    const auto doubled_at = [&](Index edge) {
+        Kinds all = 0;
+        for (std::size_t s = 0; s < sets.size(); ++s) {
+            const auto has = [&](int material) { return sets[s].has_material(material); };
+            if (doubled[s] && any_beside(surface, edge, has)) all |= doubled[s];
+        }
+        return all;
+    };
+    for (MarkedEdges& marked : of_sets) marked = without_doubled(marked, surface, near, doubled_at);
+}
+
+Array<Kinds> kinds_of(const Chains& chains, const Labelled& of) {
+    return parallel_map<Kinds>(chains.number.size(), [&](std::size_t i) { return of.kinds[chains.number[i]]; });
 }
 
 /// Number of lines at each vertex, capped at 2.
@@ -127,41 +96,37 @@ FoundEdges find_edges(SurfaceView seen, const std::vector<PlacedSet>& sets, std:
     const Surface& surface = seen.surface;
     FoundEdges found;
     found.kept = surface.cache().get<StaticLines>(sets_hash, [&] { return find_static(surface, sets); });
-    for (const Array<Kinds>& kinds : found.kept->kinds) found.kinds.push_back(parallel_copy(kinds));
-    if (!of_view) return found;
-    seen.facing = facing_of(seen, edge_on_to_viewer);
-    const Kinds doubled = doubled_edges(asked_of(sets));
-    if (doubled) found.doubled = doubled_at_edges(surface, sets);
-    auto all = parallel_filled(found.doubled.size(), Kinds(0));
-    for (std::size_t s = 0; s < sets.size(); ++s) {
-        trace_kinds(sets[s], seen, false, found.kinds[s]);
-        parallel_for(all.size(), [&](std::size_t e) { all[e] |= found.kinds[s][e]; });
+    if (!of_view) {
+        found.of_sets = found.kept->of_sets;
+        return found;
     }
-    if (doubled) found.hard = at_hard_edges(surface, doubled, all);
+    seen.facing = facing_of(seen, edge_on_to_viewer);
+    for (std::size_t s = 0; s < sets.size(); ++s)
+        found.of_sets.push_back(mark_edges(sets[s], static_cast<std::uint8_t>(s), seen, false, found.kept->of_sets[s]));
+    found.doubled = doubled_edges(asked_of(sets));
+    if (found.doubled) found.hard = at_hard_edges(surface, found.doubled, found.of_sets);
     return found;
 }
 
 EdgePaths chain_edges(const SurfaceView& seen, const std::vector<PlacedSet>& sets, std::uint64_t sets_hash,
                       FoundEdges found, In<std::uint8_t> near) {
     const Surface& surface = seen.surface;
-    if (!found.doubled.empty() && !near.empty())
-        for (Array<Kinds>& kinds : found.kinds) drop_doubled_edges(surface, near, found.doubled, kinds);
+    if (found.doubled && !near.empty()) drop_doubled(surface, sets, near, found.of_sets);
     // Near cusps, contours of a mesh fold back on themselves. They are chained into one path through all folds (no
     // corner angle), so that later stages can tell visible fragments of folds from lines.
     std::vector<double> corner_angles, never(sets.size(), glm::pi<double>());
     for (const PlacedSet& set : sets) corner_angles.push_back(set.corner_angle_rad);
-    const Labelled labelled = label_edges(*found.kept, found.kinds);
+    const auto [kept, others] = label_edges(found.kept->edges, of_first_sets(surface.edges.size(), found.of_sets));
     // With a single line set the labels never change, so the view-independent chains are built once.
-    const std::uint64_t chains_hash = hash_of(In<std::uint8_t>(labelled.kept_labels), sets_hash);
+    const std::uint64_t chains_hash = hash_of(In<std::uint8_t>(kept.labels), sets_hash);
     const auto kept_chains = surface.cache().get<Chains>(
-        chains_hash, [&] { return chain(seen, false, found.kept->edges, labelled.kept_labels, corner_angles); });
-    const auto seen_chains =
-        std::make_shared<const Chains>(chain(seen, true, labelled.seen_edges, labelled.seen_labels, never));
-    const Array<std::uint8_t> lines_at = lines_at_vertices(surface, found.kept->edges, labelled.seen_edges);
-    const auto with_kinds = [&](const std::shared_ptr<const Chains>& chains) -> EdgeChains {
-        return {chains, kinds_of(*chains, labelled.kinds), free_ends(*chains, lines_at)};
+        chains_hash, [&, &kept = kept] { return chain(seen, false, kept.edges, kept.labels, corner_angles); });
+    const auto seen_chains = std::make_shared<const Chains>(chain(seen, true, others.edges, others.labels, never));
+    const Array<std::uint8_t> lines_at = lines_at_vertices(surface, kept.edges, others.edges);
+    const auto with_kinds = [&](const std::shared_ptr<const Chains>& chains, const Labelled& of) -> EdgeChains {
+        return {chains, kinds_of(*chains, of), free_ends(*chains, lines_at)};
     };
-    return {with_kinds(kept_chains), with_kinds(seen_chains)};
+    return {with_kinds(kept_chains, kept), with_kinds(seen_chains, others)};
 }
 
 }  // namespace fovea::path

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <fovea/path/chain.h>
-#include <fovea/path/placed_set.h>
+#include <fovea/path/marked_edges.h>
 
 namespace fovea::path {
 
@@ -21,18 +21,18 @@ struct EdgePaths {
 /// Definitions on mesh edges whose smooth twin is in `asked`.
 Kinds doubled_edges(Kinds asked);
 
-/// View-independent lines of a surface for one style: kinds per line set and edge, and the edges that have any.
+/// View-independent lines of a surface for one style: those of each line set, and the edges that have any.
 struct StaticLines {
-    std::vector<Array<Kinds>> kinds;
+    std::vector<MarkedEdges> of_sets;
     Array<Index> edges;
 };
 
 /// Edges of all line sets; with a view, of it, too.
 struct FoundEdges {
     std::shared_ptr<const StaticLines> kept;
-    std::vector<Array<Kinds>> kinds;  ///< per line set and edge
-    Array<Kinds> doubled;             ///< per edge: mesh-edge contours whose smooth twin is requested; or empty
-    Array<std::uint8_t> hard;         ///< at_hard_edges for these; or empty
+    std::vector<MarkedEdges> of_sets;
+    Kinds doubled = 0;         ///< doubled_edges of what the sets request
+    Array<std::uint8_t> hard;  ///< at_hard_edges for these; or empty
 };
 
 /// Finds the edges of all line sets; with `of_view`, view-dependent ones, too. `sets_hash`: key of the cached part.
