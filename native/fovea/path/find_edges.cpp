@@ -14,6 +14,14 @@
 namespace fovea::path {
 namespace {
 
+/// Definitions on mesh edges whose smooth twin is in `asked`.
+Kinds doubled_edges(Kinds asked) {
+    Kinds doubled = 0;
+    for (const LineDefinition* definition : line_definitions())
+        if (definition->smooth_twin && (asked & kind_of(*definition->smooth_twin))) doubled |= kind_of(*definition);
+    return doubled;
+}
+
 StaticLines find_static(const Surface& surface, const std::vector<PlacedSet>& sets) {
     StaticLines lines;
     const SurfaceView seen{.surface = surface};
@@ -84,13 +92,6 @@ Array<std::uint8_t> free_ends(const Chains& chains, const Array<std::uint8_t>& l
 }
 
 }  // namespace
-
-Kinds doubled_edges(Kinds asked) {
-    Kinds doubled = 0;
-    for (const LineDefinition* definition : line_definitions())
-        if (definition->smooth_twin && (asked & kind_of(*definition->smooth_twin))) doubled |= kind_of(*definition);
-    return doubled;
-}
 
 FoundEdges find_edges(SurfaceView seen, const std::vector<PlacedSet>& sets, std::uint64_t sets_hash, bool of_view) {
     const Surface& surface = seen.surface;

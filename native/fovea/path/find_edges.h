@@ -18,9 +18,6 @@ struct EdgePaths {
     EdgeChains kept, seen;
 };
 
-/// Definitions on mesh edges whose smooth twin is in `asked`.
-Kinds doubled_edges(Kinds asked);
-
 /// View-independent lines of a surface for one style: those of each line set, and the edges that have any.
 struct StaticLines {
     std::vector<MarkedEdges> of_sets;
@@ -31,7 +28,7 @@ struct StaticLines {
 struct FoundEdges {
     std::shared_ptr<const StaticLines> kept;
     std::vector<MarkedEdges> of_sets;
-    Kinds doubled = 0;         ///< doubled_edges of what the sets request
+    Kinds doubled = 0;         ///< mesh-edge definitions whose smooth twin is requested
     Array<std::uint8_t> hard;  ///< at_hard_edges for these; or empty
 };
 

@@ -15,7 +15,7 @@ struct MarkedEdge {
 using MarkedEdges = Array<MarkedEdge>;  // by edge, each once
 
 /// The edges of the view-independent definitions that set number `number` requests (`of_surface`), or of the
-/// view-dependent ones and of `kept`. Empty lists of `seen.facing` serve the former.
+/// view-dependent ones, for which `seen.facing` is needed; and those of `kept`.
 MarkedEdges mark_edges(const PlacedSet& set, std::uint8_t number, const SurfaceView& seen, bool of_surface,
                        const MarkedEdges& kept = {});
 
