@@ -66,6 +66,31 @@ TEST(LargeMemory, ArraysOfManyMegabytesAreMadeOfWhatOthersOfAnySizeLeave) {
     EXPECT_EQ(large_memory_kept(), page_bytes);
 }
 
+TEST(LargeMemory, ArraysThatAreRoundedUpToPagesAreKeptAsSuch) {
+    if (keeps_large_memory == 0) GTEST_SKIP() << "sanitizers take all memory from the heap";
+    if (!has_pages) GTEST_SKIP() << "this system gives no pages";
+    release_large_memory();
+    {
+        const Array<char> values(2 * page_bytes - page_bytes / 8, 1);
+        EXPECT_EQ(std::ranges::count(values, 1), std::ptrdiff_t(values.size()));
+    }
+    EXPECT_EQ(large_memory_kept(), 2 * page_bytes);
+}
+
+TEST(LargeMemory, PagesMakeRoomForSmallerBlocksThatWereFreedAfterThem) {
+    if (keeps_large_memory == 0) GTEST_SKIP() << "sanitizers take all memory from the heap";
+    release_large_memory();
+    const Index* freed = nullptr;
+    {
+        const Array<Index> values(many, 7);
+        freed = values.data();
+        const Array<char> huge(keeps_large_memory - 2 * page_bytes), other(4 * page_bytes);
+    }
+    EXPECT_LE(large_memory_kept(), keeps_large_memory);
+    const Array<Index> next(many, 8);
+    EXPECT_EQ(next.data(), freed);
+}
+
 TEST(LargeMemory, KeptMemoryIsReleasedWhenAskedFor) {
     if (keeps_large_memory == 0) GTEST_SKIP() << "sanitizers take all memory from the heap";
     {

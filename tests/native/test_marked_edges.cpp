@@ -52,13 +52,20 @@ TEST(MarkedEdges, OfASetForOneMaterialLieAtFacesOfIt) {
 
 TEST(MarkedEdges, OfTheViewAreAddedToThoseThatAreKept) {
     const auto surface = box_with_lid();
-    const PlacedSet set{{with_defaults("crease")}, 1.0};
-    const MarkedEdges kept{{2, 1u << 30, 0}, {5, 1u << 30, 0}};
-    EXPECT_EQ(mark_edges(set, 0, {.surface = *surface}, false, kept), kept);
-    const MarkedEdges both = mark_edges(set, 0, {.surface = *surface}, true, kept);
-    ASSERT_EQ(both.size(), 12u);
-    EXPECT_EQ(both[1].kinds, kind_called("crease"));
-    EXPECT_EQ(both[2].kinds, kind_called("crease") | 1u << 30);
+    const PlacedSet set{{with_defaults("contour"), with_defaults("crease")}, 1.0};
+    const SurfaceView seen{.surface = *surface, .facing = {1, 0, 0, 0, 0, 0}};
+    const MarkedEdges kept = mark_edges(set, 0, seen, true), all = mark_edges(set, 0, seen, false, kept);
+    ASSERT_EQ(kept.size(), 12u);
+    ASSERT_EQ(all.size(), 12u);
+    const Kinds crease = kind_called("crease"), both = crease | kind_called("contour");
+    for (Index e = 0; e < 12; ++e) {
+        const auto sides = surface->sides(e);
+        const bool at_first = sides[0].facet() == 0 || sides[1].facet() == 0;
+        EXPECT_EQ(all[e], (MarkedEdge{e, at_first ? both : crease, 0}));
+    }
+    EXPECT_EQ(mark_edges(set, 0, seen, false).size(), 4u);
+    const PlacedSet of_surface{{with_defaults("crease")}, 1.0};
+    EXPECT_EQ(mark_edges(of_surface, 0, seen, false, kept), kept);
 }
 
 TEST(MarkedEdges, OfSeveralSetsAreThoseOfTheFirstThatHasThem) {

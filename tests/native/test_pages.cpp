@@ -68,7 +68,7 @@ TEST(Pages, OfTheRangeThatWasGivenFirstAreUnmappedFirst) {
     free.give(row.page(3), 2 * page_bytes, 2);
     free.give(row.page(2), page_bytes, 3);  // joins both
     free.give(row.page(6), page_bytes, 4);
-    EXPECT_EQ(free.oldest(), 3u);
+    EXPECT_EQ(free.oldest(), 1u);
     EXPECT_EQ(free.unmap_oldest(2 * page_bytes), 2 * page_bytes);
     EXPECT_EQ(free.take(3 * page_bytes), row.page(0));
     free.give(row.page(0), 3 * page_bytes, 5);

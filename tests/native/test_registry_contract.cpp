@@ -199,6 +199,8 @@ TEST_P(Definition, SaysWhatItIs) {
     EXPECT_TRUE(definition.importance > 0.0 && definition.importance <= 1.0) << definition.importance;
     for (Index other = 0; other < line_definitions().size(); ++other)
         EXPECT_TRUE(other == index || line_definitions()[other]->name != name);
+    // What surfaces keep is there in every view (path/find_edges.h).
+    EXPECT_FALSE(definition.smooth_twin && definition.scope == draw::Scope::surface);
 }
 
 TEST_P(Definition, IsSoundAndTheSameForAnyNumberOfThreads) {

@@ -16,13 +16,14 @@
 namespace fovea::base {
 namespace {
 
-/// Arrays of at least this size are of pages of their own.
+/// Blocks of at least this size are of pages of their own, all others from the heap.
 constexpr std::size_t least_in_pages = has_pages ? 2 * page_bytes : SIZE_MAX;
 
-bool is_in_pages(std::size_t bytes) { return bytes >= least_in_pages; }
+bool is_in_pages(std::size_t size) { return size >= least_in_pages; }
 
-/// Size of the block for an array. In pages: of as many as it needs. From the heap: at most a quarter larger, so that
-/// arrays of similar size serve each other. What is not touched takes no memory, but for the rest of a page.
+/// Size of the block for an array: of large ones as many pages as they need; of others at most a quarter larger, so
+/// that arrays of similar size serve each other (the largest of these are in pages, too, as they are rounded up to
+/// least_in_pages). What is not touched takes no memory, but for the rest of one of the system's pages.
 std::size_t block_size(std::size_t bytes) {
     const std::size_t step = is_in_pages(bytes) ? page_bytes : std::bit_floor(bytes) / 4;
     return (bytes + step - 1) / step * step;

@@ -24,8 +24,8 @@ inline constexpr std::size_t keeps_large_memory = std::size_t(256) << 20;
 constexpr bool is_large(std::size_t bytes) { return keeps_large_memory > 0 && bytes >= large_memory; }
 
 /// Uninitialized memory, aligned for any type. Every frame needs the same arrays, and a heap returns large blocks to
-/// the system, which clears each page again when it is touched: so freed blocks are kept for later ones of similar
-/// size. Thread-safe. Throws std::bad_alloc.
+/// the system, which clears each page again when it is touched: so freed blocks are kept for later ones.
+/// Thread-safe. Throws std::bad_alloc.
 void* allocate_large(std::size_t bytes);
 
 /// Of a pointer from allocate_large, with the same number of bytes.

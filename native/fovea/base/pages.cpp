@@ -2,21 +2,22 @@
 #include <fovea/base/pages.h>
 
 #include <algorithm>
-#include <atomic>
 #include <iterator>
+#include <utility>
 
-#if __has_include(<sys/mman.h>)
+#if defined(__unix__) || defined(__APPLE__)
+#include <atomic>
 #include <sys/mman.h>
 #endif
 
 namespace fovea::base {
 
-#if __has_include(<sys/mman.h>)
+#if defined(__unix__) || defined(__APPLE__)
 
 namespace {
 
-/// Bytes from which on there is much. Below, later frames took up to half as long again with large pages, on a virtual
-/// machine that keeps tables of its own of what its guests' pages are.
+/// Bytes above which there is much. Below, later frames took up to half as long again with pages of 2 MiB, on a virtual
+/// machine whose host keeps page tables of its own for it.
 constexpr std::size_t much = std::size_t(256) << 20;
 
 std::atomic<std::size_t> mapped = 0;  // bytes, by now
@@ -30,7 +31,7 @@ void* map_pages(std::size_t size) noexcept {
     const std::size_t before = (page_bytes - reinterpret_cast<std::uintptr_t>(found) % page_bytes) % page_bytes;
     if (before > 0) munmap(start, before);
     munmap(start + before + size, page_bytes - before);
-    if (mapped.fetch_add(size) >= much) {
+    if (mapped.fetch_add(size) + size > much) {
 #ifdef MADV_HUGEPAGE
         madvise(start + before, size, MADV_HUGEPAGE);  // a wish: nothing depends on whether it is fulfilled
 #endif
@@ -70,13 +71,13 @@ void FreePages::give(void* start, std::size_t size, std::uint64_t now) {
     const auto here = ranges_.insert({static_cast<std::byte*>(start), {size, now}}).first;
     const auto next = std::next(here);
     if (next != ranges_.end() && here->first + here->second.size == next->first) {
-        here->second.size += next->second.size;
+        here->second = {size + next->second.size, next->second.at};
         ranges_.erase(next);
     }
     if (here == ranges_.begin()) return;
     const auto before = std::prev(here);
     if (before->first + before->second.size == here->first) {
-        before->second = {before->second.size + here->second.size, now};
+        before->second = {before->second.size + here->second.size, std::min(before->second.at, here->second.at)};
         ranges_.erase(here);
     }
 }

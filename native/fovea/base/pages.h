@@ -10,7 +10,7 @@
 
 namespace fovea::base {
 
-#if __has_include(<sys/mman.h>)
+#if defined(__unix__) || defined(__APPLE__)
 inline constexpr bool has_pages = true;
 #else
 inline constexpr bool has_pages = false;
@@ -19,9 +19,9 @@ inline constexpr bool has_pages = false;
 inline constexpr std::size_t page_bytes = std::size_t(2) << 20;
 
 /// `size` uninitialized bytes, a multiple of page_bytes, that start at one; null if there are none. Thread-safe. Where
-/// much is mapped already, and the system gives such to those who ask, these are pages for it, too: a million pages of
-/// 4 KiB to be cleared and entered into its tables are a large part of a first frame of a large mesh, and what reads
-/// here and there waits for these tables.
+/// much is mapped by then, the system is asked to back it with pages of 2 MiB of its own: a million pages of 4 KiB to
+/// be cleared and entered into its tables are a large part of a first frame of a large mesh, and what reads here and
+/// there waits for these tables.
 void* map_pages(std::size_t size) noexcept;
 
 /// Any part of what map_pages has given, of whole pages.
@@ -34,15 +34,16 @@ class FreePages {
     void* take(std::size_t size);
     /// `now`: a number that increases from call to call. Throws std::bad_alloc, and has then taken nothing.
     void give(void* start, std::size_t size, std::uint64_t now);
-    /// The least `now` of the ranges, of those that joined the greater one; the greatest number if there are none.
+    /// The least `now` of all that was given and is left in part; the greatest number if nothing is.
     std::uint64_t oldest() const;
-    /// Unmaps pages of the oldest range: `most` bytes or all it has. Returns how many.
+    /// Unmaps pages at the end of the range that has it: `most` bytes, or all there are. Returns how many. Something
+    /// must be left.
     std::size_t unmap_oldest(std::size_t most) noexcept;
 
    private:
     struct Range {
         std::size_t size;
-        std::uint64_t at;
+        std::uint64_t at;  // the least `now` of what it was joined from
     };
     using Ranges = std::map<std::byte*, Range>;
 

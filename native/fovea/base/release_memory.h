@@ -6,7 +6,7 @@
 
 namespace fovea::base {
 
-/// Returns the freed memory that is kept for large arrays (base/large_memory.h) to the heap. Thread-safe.
+/// Returns the freed memory that is kept for large arrays (base/large_memory.h) to the system or the heap. Thread-safe.
 void release_large_memory() noexcept;
 
 }  // namespace fovea::base

@@ -7,6 +7,7 @@
 //      diagonals of polygons.
 #include <fovea/line/crease.h>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Loop over edges, shared by definitions on mesh edges.
+// Lists of edges, shared by definitions on mesh edges.
 #pragma once
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 
 namespace fovea::line {
 
-/// The edges [0, count) for which `is_line(edge)` holds.
+/// The edges [0, count) for which `is_line(edge)` holds, ascending. It is called by several threads.
 template <typename IsLine>
 Array<Index> edges_where(std::size_t count, const IsLine& is_line) {
     return parallel_collect<Index>(count, 1 << 14, [&](std::size_t begin, std::size_t end, Array<Index>& edges) {
@@ -19,7 +19,7 @@ Array<Index> edges_where(std::size_t count, const IsLine& is_line) {
     });
 }
 
-/// The edges of one of two ascending lists.
+/// The edges that are in at least one of two ascending lists; ascending, each once.
 inline Array<Index> either(const Array<Index>& first, const Array<Index>& second) {
     Array<Index> edges;
     edges.reserve(first.size() + second.size());

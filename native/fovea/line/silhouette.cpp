@@ -5,6 +5,7 @@
 // Out  those behind which neither the same placement nor one of its group continues. On coarse meshes, facets seen
 //      almost edge-on lie slightly behind one another along a contour: a continuation narrower than a pen is ignored.
 #include <algorithm>
+#include <iterator>
 
 #include <fovea/base/parallel.h>
 #include <fovea/line/edges.h>

@@ -124,10 +124,10 @@ MarkedEdges without_doubled(const MarkedEdges& marked, const Surface& surface, I
     return left;
 }
 
-Array<std::uint8_t> at_hard_edges(const Surface& surface, Kinds kinds, const std::vector<MarkedEdges>& sets) {
+Array<std::uint8_t> at_hard_edges(const Surface& surface, Kinds kinds, const std::vector<MarkedEdges>& of_sets) {
     const auto neighbors = neighbors_in(surface);
     Array<std::uint8_t> at(surface.vertex_count(), 0);
-    for (const MarkedEdges& marked : sets)
+    for (const MarkedEdges& marked : of_sets)
         parallel_for(marked.size(), [&](std::size_t i) {
             const Index e = marked[i].edge;
             if (!(marked[i].kinds & kinds) || !is_hard(surface, *neighbors, e)) return;

@@ -37,7 +37,7 @@ MarkedEdges without_doubled(const MarkedEdges& marked, const Surface& surface, I
                             const std::function<Kinds(Index edge)>& doubled);
 
 /// Per vertex: 1 at the ends of hard edges with lines of one of `kinds`.
-Array<std::uint8_t> at_hard_edges(const Surface& surface, Kinds kinds, const std::vector<MarkedEdges>& sets);
+Array<std::uint8_t> at_hard_edges(const Surface& surface, Kinds kinds, const std::vector<MarkedEdges>& of_sets);
 
 /// Removes stretches longer than four mean side lengths on whose triangles at least `corners` vertices are `near` a
 /// line, which is drawn instead. Lines that cross or continue that line remain.

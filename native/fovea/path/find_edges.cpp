@@ -38,6 +38,11 @@ struct Labelled {
     Array<std::uint8_t> labels;
     Array<Kinds> kinds;  // of that set
 
+    explicit Labelled(std::size_t count) {
+        edges.reserve(count);
+        labels.reserve(count);
+        kinds.reserve(count);
+    }
     void add(const MarkedEdge& marked) {
         edges.push_back(marked.edge);
         labels.push_back(marked.set);
@@ -45,9 +50,9 @@ struct Labelled {
     }
 };
 
-/// Those of `kept`, all of which have some, and the others.
+/// The marked edges: those of `kept`, all of which are among them, and the others.
 std::pair<Labelled, Labelled> label_edges(In<Index> kept, const MarkedEdges& marked) {
-    Labelled of_kept, others;
+    Labelled of_kept(kept.size()), others(marked.size() - kept.size());
     for (const MarkedEdge& of : marked) {
         const std::size_t next = of_kept.edges.size();
         (next < kept.size() && kept[next] == of.edge ? of_kept : others).add(of);
@@ -98,7 +103,7 @@ FoundEdges find_edges(SurfaceView seen, const std::vector<PlacedSet>& sets, std:
     FoundEdges found;
     found.kept = surface.cache().get<StaticLines>(sets_hash, [&] { return find_static(surface, sets); });
     if (!of_view) {
-        found.of_sets = found.kept->of_sets;
+        for (const MarkedEdges& marked : found.kept->of_sets) found.of_sets.push_back(parallel_copy(marked));
         return found;
     }
     seen.facing = facing_of(seen, edge_on_to_viewer);

@@ -19,7 +19,7 @@ using MarkedEdges = Array<MarkedEdge>;  // by edge, each once
 MarkedEdges mark_edges(const PlacedSet& set, std::uint8_t number, const SurfaceView& seen, bool of_surface,
                        const MarkedEdges& kept = {});
 
-/// The edges of several sets, each as the first set that has it marked it.
-MarkedEdges of_first_sets(std::size_t edges, const std::vector<MarkedEdges>& sets);
+/// The edges of several sets, of numbers below `edges`, each as the first set that has it marked it.
+MarkedEdges of_first_sets(std::size_t edges, const std::vector<MarkedEdges>& of_sets);
 
 }  // namespace fovea::path
