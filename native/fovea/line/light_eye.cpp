@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include <fovea/line/edges.h>
 #include <fovea/line/look_at.h>
 #include <fovea/scene/bodies.h>
 
@@ -61,10 +62,7 @@ Array<Index> outline_edges(const SurfaceView& seen) {
         }
         return any;
     };
-    return parallel_collect<Index>(surface.edges.size(), 4096, [&](std::size_t begin, std::size_t end, auto& out) {
-        for (auto e = static_cast<Index>(begin); e < end; ++e)
-            if (is_outline(e)) out.push_back(e);
-    });
+    return edges_where(surface.edges.size(), is_outline);
 }
 
 }  // namespace fovea::line
