@@ -96,7 +96,7 @@ RTCBounds box_between(const dvec3& lower, const dvec3& upper, double size) {
 RTCRayHit ray_through_boxes(const dvec3& from, const dvec3& along, double near_t, double far_t) {
     const dvec3 size = glm::abs(along);
     const double longest = std::max({size.x, size.y, size.z});
-    const vec3 begin(from), way(along / longest);
+    const vec3 begin(from), way(along * (1.0 / longest));
     RTCRayHit ray{};
     // Origin, near end; direction, time; far end, mask; id, flags.
     ray.ray = {begin.x, begin.y, begin.z, -end_of_ray(-near_t, longest), way.x,
@@ -145,6 +145,10 @@ void Tracer::Bvh::build(const Array<Index>& hiding) {
 }
 
 void Tracer::Bvh::lead(RayContext& context) const {
+    if (instances.size() == 1) {  // it need not be found among others
+        context.pass(instances.front());
+        return;
+    }
     RTCRayHit ray = ray_through_boxes(context.origin, context.direction, context.near_t, context.far_t);
     follow_ray(top.get(), ray, context);
 }
@@ -198,9 +202,11 @@ bool RayContext::enter(const Tracer::Bvh::Instance& entered) {
     placement = entered.placement;
     surface = bvh.scene.placements[placement].surface.get();
     const glm::dmat4x3& to_object = entered.view_to_object;
-    const dvec3 along = to_object * dvec4(direction, 0.0);
+    // By columns, as compilers call glm's product of both, each time.
+    const auto turned = [&](const dvec3& v) { return to_object[0] * v.x + to_object[1] * v.y + to_object[2] * v.z; };
+    const dvec3 along = turned(direction);
     if (along == dvec3(0.0)) return false;
-    local = ShearedRay(to_object * dvec4(origin, 1.0), along);
+    local = ShearedRay(turned(origin) + to_object[3], along);
     return true;
 }
 

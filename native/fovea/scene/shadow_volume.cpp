@@ -36,8 +36,9 @@ Interval ShadowVolume::inside(const dvec3& a, const dvec3& b, int first_plane) c
     if (!usable_) return {};
     Interval range = whole_segment;
     for (int i = first_plane; i < count_ && !range.is_empty(); ++i) {
-        const dvec3 normal(planes_[i]);
-        clip_plane(glm::dot(normal, a) + planes_[i].w, glm::dot(normal, b) + planes_[i].w, range);
+        const dvec4& plane = planes_[i];
+        const dvec2 at = plane.x * dvec2(a.x, b.x) + plane.y * dvec2(a.y, b.y) + plane.z * dvec2(a.z, b.z) + plane.w;
+        clip_plane(at.x, at.y, range);
     }
     return range;
 }
@@ -50,12 +51,12 @@ Occluding::Occluding(const Tracer& tracer, const Hit& hit, double margin) : plac
 }
 
 Interval Occluding::hides(const Tracer& tracer, const dvec3& a, const dvec3& b, const Ignore& ignore) const {
-    if (!volume_.usable()) return {};
+    const Interval hidden = volume_.hides(a, b);
+    if (hidden.is_empty() || ignore.leaves_to_rays(placement_)) return {};
     const Surface& surface = *tracer.scene().placements[placement_].surface;
-    if (ignore.leaves_to_rays(placement_)) return {};
     if (ignore.holds(placement_, surface, triangle_)) return {};
     if (other_ != none && ignore.holds(placement_, surface, other_)) return {};
-    return volume_.hides(a, b);
+    return hidden;
 }
 
 }  // namespace fovea::scene

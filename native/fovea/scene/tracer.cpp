@@ -204,8 +204,10 @@ double Tracer::px_at(const std::array<dvec3, 3>& corners) const {
 
 std::array<dvec3, 3> Tracer::corners(Index placement, Index triangle) const {
     const Surface& surface = *scene_.placements[placement].surface;
+    const glm::dmat4x3 to_view(bvh_->object_to_view[placement]);
     const auto in_view = [&](Index vertex) {
-        return dvec3(bvh_->object_to_view[placement] * dvec4(dvec3(surface.positions[vertex]), 1.0));
+        const dvec3 p(surface.positions[vertex]);
+        return (to_view[0] * p.x + to_view[1] * p.y) + (to_view[2] * p.z + to_view[3]);
     };
     const Triangle& t = surface.triangles[triangle];
     return {in_view(t.x), in_view(t.y), in_view(t.z)};

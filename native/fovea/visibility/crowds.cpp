@@ -2,8 +2,10 @@
 #include <fovea/visibility/crowds.h>
 
 #include <algorithm>
+#include <atomic>
 #include <bit>
 #include <cmath>
+#include <iterator>
 #include <tuple>
 
 #include <fovea/base/hash.h>
@@ -23,8 +25,22 @@ struct Member {
     auto order() const { return std::tuple(alike, piece); }
 };
 
+/// Leaves the members that may be of crowds: those of bins with more than a crowd. Members that are alike are in the
+/// same bin, and lines that stand apart are mostly few in theirs, so that hardly any is sorted.
+void keep_full_bins(Array<Member>& members) {
+    Array<Index> bins(std::bit_ceil(2 * members.size()), 0);
+    const auto bin_of = [&](const Member& m) -> Index& { return bins[m.alike & (bins.size() - 1)]; };
+    parallel_for(members.size(),
+                 [&](std::size_t k) { std::atomic_ref(bin_of(members[k])).fetch_add(1, std::memory_order_relaxed); });
+    members = parallel_collect<Member>(members.size(), 1 << 14, [&](std::size_t begin, std::size_t end, auto& kept) {
+        std::copy_if(members.begin() + begin, members.begin() + end, std::back_inserter(kept),
+                     [&](const Member& m) { return bin_of(m) > crowd; });
+    });
+}
+
 /// Sorts members so that those alike are next to each other; those of crowds are left.
 void keep_crowds(Array<Member>& members) {
+    keep_full_bins(members);
     parallel_sort(members.begin(), members.end(),
                   [](const Member& a, const Member& b) { return a.order() < b.order(); });
     auto kept = members.begin();
@@ -36,10 +52,10 @@ void keep_crowds(Array<Member>& members) {
     members.resize(kept - members.begin());
 }
 
-/// Hash of the points of a piece, rounded.
-std::uint64_t hash_of_points(const ClippedPaths& clipped, Index piece) {
-    std::uint64_t hash = clipped.pieces.size(piece);
-    for (Index i = clipped.pieces.begin(piece); i < clipped.pieces.end(piece); ++i) {
+/// Hash of points of pieces, rounded.
+std::uint64_t hash_of_points(const ClippedPaths& clipped, Index begin, Index end) {
+    std::uint64_t hash = end - begin;
+    for (Index i = begin; i < end; ++i) {
         const dvec2 px = glm::round(dvec2(clipped.px[i]) * steps_per_px) + 0.0;  // no negative zero
         const std::uint32_t away = std::bit_cast<std::uint32_t>(clipped.position_view[i].z);
         const double numbers[] = {px.x, px.y, double((away + (1u << (float_bits - 1))) >> float_bits)};
@@ -74,16 +90,19 @@ std::uint64_t hash_of_supports(const ClippedPaths& clipped, const Paths& paths, 
 }  // namespace
 
 Array<Index> first_of_crowds(const ClippedPaths& clipped, const Paths& paths, const Tracer& tracer) {
-    auto members = parallel_map<Member>(
-        clipped.path.size(), [&](std::size_t q) -> Member { return {hash_of_points(clipped, Index(q)), Index(q)}; });
+    auto members = parallel_map<Member>(clipped.path.size(), [](std::size_t q) -> Member { return {0, Index(q)}; });
     std::erase_if(members, [&](const Member& m) { return paths.placement[clipped.path[m.piece]] == none; });
-    keep_crowds(members);
-    if (members.empty()) return {};
-    parallel_for(members.size(), 64, [&](std::size_t k) {
-        Member& member = members[k];
-        member.alike = hash_numbers(member.alike, hash_of_supports(clipped, paths, tracer, member.piece));
-    });
-    keep_crowds(members);
+    const auto keep_alike_in = [&](const auto& hash_of) {
+        parallel_for(members.size(), 64, [&](std::size_t k) {
+            members[k].alike = hash_numbers(members[k].alike, hash_of(members[k].piece));
+        });
+        keep_crowds(members);
+    };
+    // What tells most of them apart, and takes least time, comes first.
+    const Rows& points = clipped.pieces;
+    keep_alike_in([&](Index q) { return hash_of_points(clipped, points.begin(q), points.begin(q) + 1); });
+    keep_alike_in([&](Index q) { return hash_of_points(clipped, points.begin(q), points.end(q)); });
+    keep_alike_in([&](Index q) { return hash_of_supports(clipped, paths, tracer, q); });
     if (members.empty()) return {};
     Array<Index> first(clipped.path.size());
     for (Index q = 0; q < first.size(); ++q) first[q] = q;
