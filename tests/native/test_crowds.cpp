@@ -195,3 +195,32 @@ TEST(Crowds, OfLinesOnSurfacesOfOtherDirectionsAreSeenEachByItself) {
                                 {drawing::line_set({"border"})});
     EXPECT_TRUE(first_of_crowds(book.clipped, book.paths, book.tracer).empty());
 }
+
+TEST(Crowds, AreMoreThanSixteenAlike) {
+    const auto first_of = [](int count) {
+        const drawing::Drawing sheets(std::vector(std::size_t(count), drawing::place(meshes::grid(1))),
+                                      drawing::perspective({0.5, -4, 3}, {0, 0, 0}), {drawing::line_set({"border"})});
+        EXPECT_EQ(sheets.clipped.path.size(), 4u * count);
+        const Array<Index> first = first_of_crowds(sheets.clipped, sheets.paths, sheets.tracer);
+        return std::set<Index>(first.begin(), first.end()).size();
+    };
+    EXPECT_EQ(first_of(16), 0u);
+    EXPECT_EQ(first_of(17), 4u);
+}
+
+TEST(Crowds, OfLinesThatBeginInOnePlaceAreSeenEachByItself) {
+    // A fan of blades in one plane.
+    std::vector<Placement> blades;
+    for (int i = 0; i < 40; ++i)
+        blades.push_back(
+            drawing::place(meshes::of_polygons("blade", {{0, 0, 0}, {1, 0, 0}, {1, 0.05, 0}}, {{0, 1, 2}}),
+                           glm::rotate(dmat4(1.0), 0.15 * i, dvec3(0, 0, 1)), std::uint64_t(i)));
+    const View view = drawing::perspective({0.5, -4, 3}, {0, 0, 0});
+    const drawing::Drawing fan(std::move(blades), view, {drawing::line_set({"border"})});
+    const dvec2 middle = drawing::pixel_of(view, dvec3(0.0));
+    int there = 0;
+    for (Index q = 0; q < fan.clipped.path.size(); ++q)
+        there += glm::distance(dvec2(fan.clipped.px[fan.clipped.pieces.begin(q)]), middle) < 1e-3;
+    EXPECT_EQ(there, 40);
+    EXPECT_TRUE(first_of_crowds(fan.clipped, fan.paths, fan.tracer).empty());
+}

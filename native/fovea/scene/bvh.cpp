@@ -202,7 +202,7 @@ bool RayContext::enter(const Tracer::Bvh::Instance& entered) {
     placement = entered.placement;
     surface = bvh.scene.placements[placement].surface.get();
     const glm::dmat4x3& to_object = entered.view_to_object;
-    // By columns, as compilers call glm's product of both, each time.
+    // The sums of glm's product of a matrix and a vector, which compilers do not inline.
     const auto turned = [&](const dvec3& v) { return to_object[0] * v.x + to_object[1] * v.y + to_object[2] * v.z; };
     const dvec3 along = turned(direction);
     if (along == dvec3(0.0)) return false;

@@ -207,6 +207,7 @@ std::array<dvec3, 3> Tracer::corners(Index placement, Index triangle) const {
     const glm::dmat4x3 to_view(bvh_->object_to_view[placement]);
     const auto in_view = [&](Index vertex) {
         const dvec3 p(surface.positions[vertex]);
+        // As glm's product of a matrix and a vector rounds, which compilers do not inline.
         return (to_view[0] * p.x + to_view[1] * p.y) + (to_view[2] * p.z + to_view[3]);
     };
     const Triangle& t = surface.triangles[triangle];

@@ -25,10 +25,10 @@ struct Member {
     auto order() const { return std::tuple(alike, piece); }
 };
 
-/// Leaves the members that may be of crowds: those of bins with more than a crowd. Members that are alike are in the
-/// same bin, and lines that stand apart are mostly few in theirs, so that hardly any is sorted.
+/// Leaves the members that may be of crowds: those of bins with more than `crowd` members. Members that are alike are in
+/// the same bin, and those that are not are spread over all bins, so that few are left to be sorted.
 void keep_full_bins(Array<Member>& members) {
-    Array<Index> bins(std::bit_ceil(2 * members.size()), 0);
+    auto bins = parallel_filled<Index>(std::bit_ceil(2 * members.size()), 0);
     const auto bin_of = [&](const Member& m) -> Index& { return bins[m.alike & (bins.size() - 1)]; };
     parallel_for(members.size(),
                  [&](std::size_t k) { std::atomic_ref(bin_of(members[k])).fetch_add(1, std::memory_order_relaxed); });
@@ -52,7 +52,7 @@ void keep_crowds(Array<Member>& members) {
     members.resize(kept - members.begin());
 }
 
-/// Hash of points of pieces, rounded.
+/// Hash of the points `begin` to before `end` of the clipped paths, rounded.
 std::uint64_t hash_of_points(const ClippedPaths& clipped, Index begin, Index end) {
     std::uint64_t hash = end - begin;
     for (Index i = begin; i < end; ++i) {

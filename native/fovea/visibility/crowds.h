@@ -9,7 +9,7 @@
 
 namespace fovea::visibility {
 
-/// Number of pieces that are alike from which they are a crowd.
+/// Pieces that are alike are a crowd if they are more than this many.
 inline constexpr std::size_t crowd = 16;
 
 /// Per piece the first one of its crowd, whose visibility it shares; itself where it is in none. Empty: there are no
