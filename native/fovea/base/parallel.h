@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <functional>
+#include <iterator>
 #include <tbb/parallel_invoke.h>
 #include <tbb/parallel_sort.h>
 #include <tbb/task_group.h>
@@ -113,6 +114,23 @@ Array<T> parallel_collect(std::size_t count, std::size_t size, const Body& body)
         Array<T>().swap(parts[b]);
     });
     return all;
+}
+
+/// The numbers i of [0, count) for which is(i), ascending.
+template <typename Is>
+Array<Index> parallel_where(std::size_t count, const Is& is) {
+    return parallel_collect<Index>(count, 1 << 14, [&](std::size_t begin, std::size_t end, Array<Index>& found) {
+        for (auto i = static_cast<Index>(begin); i < end; ++i)
+            if (is(i)) found.push_back(i);
+    });
+}
+
+/// The values v for which is(v), in order; `size`: of blocks.
+template <typename T, typename Is>
+Array<T> parallel_filter(const Array<T>& values, std::size_t size, const Is& is) {
+    return parallel_collect<T>(values.size(), size, [&](std::size_t begin, std::size_t end, Array<T>& found) {
+        std::copy_if(values.begin() + begin, values.begin() + end, std::back_inserter(found), is);
+    });
 }
 
 /// Number of the elements i of `count` for which is(i).

@@ -57,16 +57,10 @@ class HardEdges {
     /// Drops folds that do not continue at both ends (noise), from the ends of chains inwards, `stray_length` times. A
     /// border counts as a continuation.
     void drop_stray(Array<std::uint8_t>& hard) const {
-        const auto where = [&](const auto& holds) {
-            return parallel_collect<Index>(hard.size(), 1 << 14,
-                                           [&](std::size_t begin, std::size_t end, Array<Index>& out) {
-                                               for (Index e = Index(begin); e < end; ++e)
-                                                   if (holds(e)) out.push_back(e);
-                                           });
-        };
-        Array<Index> folds = where([&](Index e) { return hard[e] != 0; });
+        Array<Index> folds = parallel_where(hard.size(), [&](Index e) { return hard[e] != 0; });
         if (folds.empty()) return;
-        const Array<Index> borders = where([&](Index e) { return !hard[e] && surface_.edge_rows.size(e) == 1; });
+        const Array<Index> borders =
+            parallel_where(hard.size(), [&](Index e) { return !hard[e] && surface_.edge_rows.size(e) == 1; });
         for (int pass = 0; pass < stray_length && !folds.empty(); ++pass) {
             Array<std::uint8_t> more(surface_.vertex_count(), 0);  // edges that end at the vertex: 0, 1, or 2 for more
             const auto end_at = [&](Index v) { more[v] = more[v] ? 2 : 1; };

@@ -121,10 +121,7 @@ struct Sample {
 /// Indices of those of `all` that have a vertex of the sample.
 template <typename Corners>
 Array<Index> at_sample(const Sample& sample, const Array<Corners>& all) {
-    return parallel_collect<Index>(all.size(), 16384, [&](std::size_t begin, std::size_t end, Array<Index>& out) {
-        for (std::size_t i = begin; i < end; ++i)
-            if (sample.has(all[i])) out.push_back(Index(i));
-    });
+    return parallel_where(all.size(), [&](Index i) { return sample.has(all[i]); });
 }
 
 Array<Around> sum_up(const Surface& surface, const Sample& sample) {

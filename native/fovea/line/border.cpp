@@ -3,7 +3,8 @@
 // Out  mesh edges with exactly one facet; with `loose`, also those that belong to no polygon
 #include <cmath>
 
-#include <fovea/line/edges.h>
+#include <fovea/base/parallel.h>
+#include <fovea/line/definition.h>
 
 namespace fovea::line {
 namespace {
@@ -25,7 +26,7 @@ bool has_length(const Surface& surface, const Edge& edge) {
 
 Array<Index> find_border(const SurfaceView& seen, const Border& values) {
     const Surface& surface = seen.surface;
-    return edges_where(surface.mesh_edges, [&](Index e) {
+    return parallel_where(surface.mesh_edges, [&](Index e) {
         if (surface.edge_rows.size(e) == 1) return true;
         return values.loose && surface.is_loose(e) && has_length(surface, surface.edges[e]);
     });

@@ -7,7 +7,8 @@
 //      does not depend on orientation. Edges with one facet are borders instead.
 #include <algorithm>
 
-#include <fovea/line/edges.h>
+#include <fovea/base/parallel.h>
+#include <fovea/line/definition.h>
 #include <fovea/line/outlines.h>
 
 namespace fovea::line {
@@ -15,7 +16,7 @@ namespace {
 
 Array<Index> find_contour(const SurfaceView& seen, const Values&) {
     const Surface& surface = seen.surface;
-    return edges_where(surface.edges.size(), [&](Index e) {
+    return parallel_where(surface.edges.size(), [&](Index e) {
         const In<EdgeSide> sides = surface.sides(e);
         if (sides.size() < 2) return false;
         // A front-facing facet that winds along the edge is to its left in the image.

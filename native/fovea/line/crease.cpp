@@ -42,7 +42,7 @@ Array<Index> find_crease(const SurfaceView& seen, const Crease& values) {
     const Shape shape = field::shape_of(surface);
     const bool hard = shape == Shape::hard;
     Array<std::uint8_t> asked(surface.mesh_edges, 0);  // creases if they are folds
-    Array<Index> found = edges_where(surface.mesh_edges, [&](Index e) {
+    Array<Index> found = parallel_where(surface.mesh_edges, [&](Index e) {
         const In<EdgeSide> sides = surface.sides(e);
         if (sides.size() < 2) return false;
         if (sides.size() > 2 || (values.sharp_marks && (surface.edge_marks[e] & mark_sharp))) return true;
@@ -57,7 +57,7 @@ Array<Index> find_crease(const SurfaceView& seen, const Crease& values) {
         Array<std::uint8_t> known(surface.mesh_edges, 0);
         for (const Index e : found) known[e] = 1;
         const Array<std::uint8_t> bevels = find_bevels(edges, values.angle, known);
-        found = either(found, edges_where(surface.mesh_edges, [&](Index e) { return bevels[e] != 0; }));
+        found = either(found, parallel_where(surface.mesh_edges, [&](Index e) { return bevels[e] != 0; }));
     }
     if (!any_asked) return found;
     // Fields take long, and most folds are longer than any feature size.
@@ -70,7 +70,7 @@ Array<Index> find_crease(const SurfaceView& seen, const Crease& values) {
             return length < values.length * *size;
         };
     const Array<std::uint8_t> folds = find_folds(edges, shape, values.angle, is_short);
-    return either(found, edges_where(surface.mesh_edges, [&](Index e) { return folds[e] != 0; }));
+    return either(found, parallel_where(surface.mesh_edges, [&](Index e) { return folds[e] != 0; }));
 }
 
 }  // namespace

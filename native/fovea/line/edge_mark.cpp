@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Edge mark: edges marked by hand.
 // Out  mesh edges with a Freestyle mark; with `seams`, also those marked as seams
-#include <fovea/line/edges.h>
+#include <fovea/base/parallel.h>
+#include <fovea/line/definition.h>
 
 namespace fovea::line {
 namespace {
@@ -16,7 +17,7 @@ const Parameters<EdgeMark> edge_mark_parameters{
 Array<Index> find_marked(const SurfaceView& seen, const EdgeMark& values) {
     const Surface& surface = seen.surface;
     const int wanted = mark_edge | (values.seams ? mark_seam : 0);
-    return edges_where(surface.mesh_edges,
+    return parallel_where(surface.mesh_edges,
                        [&](Index e) { return (surface.edge_marks[e] & wanted) != 0 && surface.edge_rows.size(e) > 0; });
 }
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include <fovea/line/edges.h>
+#include <fovea/base/parallel.h>
 #include <fovea/line/look_at.h>
 #include <fovea/scene/bodies.h>
 
@@ -62,7 +62,7 @@ Array<Index> outline_edges(const SurfaceView& seen) {
         }
         return any;
     };
-    return edges_where(surface.edges.size(), is_outline);
+    return parallel_where(surface.edges.size(), is_outline);
 }
 
 }  // namespace fovea::line

@@ -3,14 +3,15 @@
 // Out  mesh edges between polygons of different materials
 #include <algorithm>
 
-#include <fovea/line/edges.h>
+#include <fovea/base/parallel.h>
+#include <fovea/line/definition.h>
 
 namespace fovea::line {
 namespace {
 
 Array<Index> find_material_boundary(const SurfaceView& seen, const Values&) {
     const Surface& surface = seen.surface;
-    return edges_where(surface.mesh_edges, [&](Index e) {
+    return parallel_where(surface.mesh_edges, [&](Index e) {
         const In<EdgeSide> sides = surface.sides(e);
         return std::ranges::any_of(
             sides, [&](EdgeSide side) { return surface.material(side.facet()) != surface.material(sides[0].facet()); });

@@ -5,9 +5,9 @@
 // Out  those behind which neither the same placement nor one of its group continues. On coarse meshes, facets seen
 //      almost edge-on lie slightly behind one another along a contour: a continuation narrower than a pen is ignored.
 #include <algorithm>
-#include <iterator>
 
 #include <fovea/base/parallel.h>
+#include <fovea/line/definition.h>
 #include <fovea/line/edges.h>
 #include <fovea/line/outlines.h>
 
@@ -73,11 +73,7 @@ Array<Index> find_silhouette(const SurfaceView& seen, const Values& values) {
     const Array<Index> candidates = either(std::get<EdgeRule>(contour.rule).find(seen, values),
                                            std::get<EdgeRule>(border.rule).find(seen, without_loose));
     const Beyond beyond(seen);
-    return parallel_collect<Index>(
-        candidates.size(), 256, [&](std::size_t begin, std::size_t end, Array<Index>& edges) {
-            std::copy_if(candidates.begin() + begin, candidates.begin() + end, std::back_inserter(edges),
-                         [&](Index e) { return beyond.is_outer(e); });
-        });
+    return parallel_filter(candidates, 256, [&](Index e) { return beyond.is_outer(e); });
 }
 
 }  // namespace

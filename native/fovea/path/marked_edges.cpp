@@ -2,7 +2,6 @@
 #include <fovea/path/marked_edges.h>
 
 #include <algorithm>
-#include <iterator>
 
 #include <fovea/base/parallel.h>
 #include <fovea/path/bridge_folds.h>
@@ -63,10 +62,8 @@ MarkedEdges mark_edges(const PlacedSet& set, std::uint8_t number, const SurfaceV
     MarkedEdges marked = merge(surface.edges.size(), lists, add_kinds);
     if (set.materials.empty()) return marked;
     const auto wanted = [&](int material) { return set.has_material(material); };
-    return parallel_collect<MarkedEdge>(marked.size(), 4096, [&](std::size_t begin, std::size_t end, MarkedEdges& out) {
-        std::copy_if(marked.begin() + begin, marked.begin() + end, std::back_inserter(out),
-                     [&](const MarkedEdge& of) { return any_beside(surface, of.edge, wanted); });
-    });
+    return parallel_filter(marked, 4096,
+                           [&](const MarkedEdge& of) { return any_beside(surface, of.edge, wanted); });
 }
 
 MarkedEdges of_first_sets(std::size_t edges, const std::vector<MarkedEdges>& of_sets) {

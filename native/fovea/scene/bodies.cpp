@@ -107,10 +107,7 @@ Bodies::Bodies(const Surface& surface) : of_facet(surface.facet_count(), none) {
                 each_side(open[i - 1].edge, [&](EdgeSide other) { sets.join(side.facet(), other.facet()); });
             });
     const Array<Index> firsts =
-        parallel_collect<Index>(of_facet.size(), block, [&](std::size_t begin, std::size_t end, Array<Index>& out) {
-            for (Index f = Index(begin); f < end; ++f)
-                if (hides[f] && sets.name(f) == f) out.push_back(f);
-        });
+        parallel_where(of_facet.size(), [&](Index f) { return hides[f] && sets.name(f) == f; });
     const std::size_t count = firsts.size();
     for (Index b = 0; b < count; ++b) of_facet[firsts[b]] = b;
     parallel_for(of_facet.size(), [&](std::size_t f) {

@@ -19,10 +19,7 @@ double share(std::size_t of, std::size_t all) { return all ? double(of) / double
 }  // namespace
 
 Array<Index> pixels_in(const Bitmap& bitmap) {
-    return parallel_collect<Index>(bitmap.set.size(), 1 << 16, [&](auto begin, auto end, auto& out) {
-        for (std::size_t i = begin; i < end; ++i)
-            if (bitmap.set[i]) out.push_back(Index(i));
-    });
+    return parallel_where(bitmap.set.size(), [&](Index i) { return bitmap.set[i] != 0; });
 }
 
 Array<float> most_near(const Strengths& strengths, In<Index> pixels, double distance) {

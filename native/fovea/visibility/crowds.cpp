@@ -5,7 +5,6 @@
 #include <atomic>
 #include <bit>
 #include <cmath>
-#include <iterator>
 #include <tuple>
 
 #include <fovea/base/hash.h>
@@ -32,10 +31,7 @@ void keep_full_bins(Array<Member>& members) {
     const auto bin_of = [&](const Member& m) -> Index& { return bins[m.alike & (bins.size() - 1)]; };
     parallel_for(members.size(),
                  [&](std::size_t k) { std::atomic_ref(bin_of(members[k])).fetch_add(1, std::memory_order_relaxed); });
-    members = parallel_collect<Member>(members.size(), 1 << 14, [&](std::size_t begin, std::size_t end, auto& kept) {
-        std::copy_if(members.begin() + begin, members.begin() + end, std::back_inserter(kept),
-                     [&](const Member& m) { return bin_of(m) > crowd; });
-    });
+    members = parallel_filter(members, 1 << 14, [&](const Member& m) { return bin_of(m) > crowd; });
 }
 
 /// Sorts members so that those alike are next to each other; those of crowds are left.
