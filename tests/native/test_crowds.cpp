@@ -212,9 +212,8 @@ TEST(Crowds, OfLinesThatBeginInOnePlaceAreSeenEachByItself) {
     // A fan of blades in one plane.
     std::vector<Placement> blades;
     for (int i = 0; i < 40; ++i)
-        blades.push_back(
-            drawing::place(meshes::of_polygons("blade", {{0, 0, 0}, {1, 0, 0}, {1, 0.05, 0}}, {{0, 1, 2}}),
-                           glm::rotate(dmat4(1.0), 0.15 * i, dvec3(0, 0, 1)), std::uint64_t(i)));
+        blades.push_back(drawing::place(meshes::of_polygons("blade", {{0, 0, 0}, {1, 0, 0}, {1, 0.05, 0}}, {{0, 1, 2}}),
+                                        glm::rotate(dmat4(1.0), 0.15 * i, dvec3(0, 0, 1)), std::uint64_t(i)));
     const View view = drawing::perspective({0.5, -4, 3}, {0, 0, 0});
     const drawing::Drawing fan(std::move(blades), view, {drawing::line_set({"border"})});
     const dvec2 middle = drawing::pixel_of(view, dvec3(0.0));

@@ -87,8 +87,7 @@ TEST(Tracer, RaysMeetTheSameOfASurfaceAloneAndWithAnotherBesideThem) {
     for (const bool ortho : {false, true}) {
         const View view = ortho ? orthographic({0, 0, 0}, {0, 0, -1}, 6) : perspective({0, 0, 0}, {0, 0, -1}, 36);
         const Tracer one(alone, view), other(both, view);
-        const auto in_corner =
-            other.occluder(in_view(view, ortho ? corner - dvec3(0, 0, 3) : 1.5 * corner), nothing);
+        const auto in_corner = other.occluder(in_view(view, ortho ? corner - dvec3(0, 0, 3) : 1.5 * corner), nothing);
         ASSERT_TRUE(in_corner && in_corner->placement == 1) << "rays do meet the other one";
         std::mt19937 random(53);
         std::uniform_real_distribution<double> share(-1.0, 1.0);

@@ -17,8 +17,9 @@ const Parameters<EdgeMark> edge_mark_parameters{
 Array<Index> find_marked(const SurfaceView& seen, const EdgeMark& values) {
     const Surface& surface = seen.surface;
     const int wanted = mark_edge | (values.seams ? mark_seam : 0);
-    return parallel_where(surface.mesh_edges,
-                       [&](Index e) { return (surface.edge_marks[e] & wanted) != 0 && surface.edge_rows.size(e) > 0; });
+    return parallel_where(surface.mesh_edges, [&](Index e) {
+        return (surface.edge_marks[e] & wanted) != 0 && surface.edge_rows.size(e) > 0;
+    });
 }
 
 }  // namespace

@@ -62,8 +62,7 @@ MarkedEdges mark_edges(const PlacedSet& set, std::uint8_t number, const SurfaceV
     MarkedEdges marked = merge(surface.edges.size(), lists, add_kinds);
     if (set.materials.empty()) return marked;
     const auto wanted = [&](int material) { return set.has_material(material); };
-    return parallel_filter(marked, 4096,
-                           [&](const MarkedEdge& of) { return any_beside(surface, of.edge, wanted); });
+    return parallel_filter(marked, 4096, [&](const MarkedEdge& of) { return any_beside(surface, of.edge, wanted); });
 }
 
 MarkedEdges of_first_sets(std::size_t edges, const std::vector<MarkedEdges>& of_sets) {

@@ -106,8 +106,7 @@ Bodies::Bodies(const Surface& surface) : of_facet(surface.facet_count(), none) {
             each_side(open[i].edge, [&](EdgeSide side) {
                 each_side(open[i - 1].edge, [&](EdgeSide other) { sets.join(side.facet(), other.facet()); });
             });
-    const Array<Index> firsts =
-        parallel_where(of_facet.size(), [&](Index f) { return hides[f] && sets.name(f) == f; });
+    const Array<Index> firsts = parallel_where(of_facet.size(), [&](Index f) { return hides[f] && sets.name(f) == f; });
     const std::size_t count = firsts.size();
     for (Index b = 0; b < count; ++b) of_facet[firsts[b]] = b;
     parallel_for(of_facet.size(), [&](std::size_t f) {

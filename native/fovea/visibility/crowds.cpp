@@ -24,8 +24,8 @@ struct Member {
     auto order() const { return std::tuple(alike, piece); }
 };
 
-/// Leaves the members that may be of crowds: those of bins with more than `crowd` members. Members that are alike are in
-/// the same bin, and those that are not are spread over all bins, so that few are left to be sorted.
+/// Leaves the members that may be of crowds: those of bins with more than `crowd` members. Members that are alike are
+/// in the same bin, and those that are not are spread over all bins, so that few are left to be sorted.
 void keep_full_bins(Array<Member>& members) {
     auto bins = parallel_filled<Index>(std::bit_ceil(2 * members.size()), 0);
     const auto bin_of = [&](const Member& m) -> Index& { return bins[m.alike & (bins.size() - 1)]; };
