@@ -134,13 +134,11 @@ Paths extract_paths(const Scene& scene, const View& view, const std::vector<Line
     check_filters(scene.placements.size(), sets, own);
     const bool of_view =
         any_asked(sets, [](const LineDefinition& definition) { return definition.scope >= Scope::view; });
-    const auto drawn =
-        parallel_collect<Index>(scene.placements.size(), 4096, [&](std::size_t begin, std::size_t end, auto& out) {
-            for (auto i = static_cast<Index>(begin); i < end; ++i)
-                if ((scene.placements[i].usage & usage_draw) && in_frame(scene.placements[i], view, frame_margin) &&
-                    cut_of(scene, scene.placements[i]).kept != Cut::nothing)
-                    out.push_back(i);
-        });
+    const Array<Index> drawn = parallel_where(scene.placements.size(), [&](Index i) {
+        const Placement& placement = scene.placements[i];
+        return (placement.usage & usage_draw) && in_frame(placement, view, frame_margin) &&
+               cut_of(scene, placement).kept != Cut::nothing;
+    });
 
     const bool alike = !varies_by_placement(sets, own);
     Cache shared;
